@@ -2,14 +2,14 @@
 // A contact with width beside one slice: points, all metrics, gradients, and what `auto` takes; slices in step beside slices one
 // after the other. Ratios count.
 #include "contact/lane_laps.hpp"
-#include "performance/motor_model.hpp"
+#include "model/motor_model.hpp"
 #include "support/test_motors.hpp"
 #include "timing.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,8 @@
 //   twum_batch_bench DESIGNS JOBS
 //
 // prints the time, and the sum of every metric so that both sides can be seen to do the same.
-#include <twum/core/performance/batch.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/batch.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <algorithm>
 #include <string>

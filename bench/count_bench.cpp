@@ -13,8 +13,8 @@
 // leaves nothing is skipped. What is counted above that is the search for the ends, and further laps.
 #include "layers.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cstdio>
 #include <string>

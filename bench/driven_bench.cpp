@@ -6,9 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <algorithm>
 #include <array>

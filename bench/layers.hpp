@@ -3,7 +3,7 @@
 
 #include "support/test_motors.hpp"
 
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <filesystem>
 #include <fstream>

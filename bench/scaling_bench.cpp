@@ -6,8 +6,8 @@
 //   twum_scaling_bench [DESIGNS [TURNS]]
 #include "timing.hpp"
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/core/motor_design.hpp>
+#include <twum/motors/design_table.hpp>
 
 #include <algorithm>
 #include <cmath>

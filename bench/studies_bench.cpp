@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <twum/optim/pareto.hpp>
 #include <twum/optim/solve.hpp>
-#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/motor_problem.hpp>
 
 using namespace twum;
 using namespace twum::studies;

@@ -25,35 +25,9 @@ function(twum_library name)
     VERIFY_INTERFACE_HEADER_SETS ON
     OPTIMIZE_DEPENDENCIES ON  # no library waits for those below it
     UNITY_BUILD ${TWUM_UNITY}
-    UNITY_BUILD_BATCH_SIZE 40)
+    UNITY_BUILD_BATCH_SIZE 12)
   if(TWUM_INSTALL)
     twum_install_library(${name} ${ARG_COMPONENT})
-  endif()
-endfunction()
-
-# twum_batches(TARGET BATCH PATTERN [PART]): with TWUM_UNITY the sources of a target whose paths match are one batch, the
-# others another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew. Two
-# sources of a batch may not give different things the same name. A PART of twum_optimized() is for these sources alone. The batch
-# that is made last comes first in the library: of a function that several batches contain the linker takes that one.
-function(twum_batches target batch pattern)
-  get_target_property(others ${target} SOURCES)
-  set(chosen ${others})
-  list(FILTER chosen INCLUDE REGEX "${pattern}")
-  list(REMOVE_ITEM others ${chosen})
-  set_target_properties(${target} PROPERTIES SOURCES "${chosen};${others}")
-  set_source_files_properties(${chosen} PROPERTIES UNITY_GROUP ${batch})
-  foreach(other IN LISTS others)
-    get_source_file_property(group ${other} UNITY_GROUP)
-    if(NOT group)
-      set_source_files_properties(${other} PROPERTIES UNITY_GROUP others)
-    endif()
-  endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-  if(ARGC GREATER 3)
-    if(TWUM_UNITY)  # options of its sources would take them out of the batch
-      set(chosen ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${batch}_cxx.cxx)
-    endif()
-    set_source_files_properties(${chosen} PROPERTIES COMPILE_OPTIONS "${level_of_${ARGV3}}")
   endif()
 endfunction()
 

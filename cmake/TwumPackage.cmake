@@ -92,6 +92,6 @@ function(twum_install_package)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"
     LIBRARY "-ltwum_optim -ltwum_base" PRIVATE_REQUIRES ${solvers} PRIVATE_LIBS -pthread)
   twum_pkg_config(twum DESCRIPTION "Design of travelling wave ultrasonic motors: motors, files, studies (C++20)"
-    LIBRARY "-ltwum_studies -ltwum_study -ltwum_motors -ltwum_files" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
+    LIBRARY "-ltwum_studies -ltwum_motors -ltwum_io" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
     PRIVATE_REQUIRES yaml-cpp udunits sqlite3 PRIVATE_LIBS -pthread)
 endfunction()

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# twum_test(NAME SOURCES ... [LIBRARIES ...] [RAPIDCHECK] [LABELS ...] [TIMEOUT SECONDS] [COST SECONDS] [RECORDS]
-#   [PRECOMPILED HEADER... | PRECOMPILED_AS OTHER])
+# twum_test(NAME SOURCES ... [LIBRARIES ...] [RAPIDCHECK] [LABELS ...] [TIMEOUT SECONDS] [COST SECONDS] [RECORDS])
 #
 # Makes the Catch2 program NAME_tests and one ctest for each of its test cases, named "NAME.case".
 #
@@ -10,8 +9,6 @@
 #  - RAPIDCHECK links rapidcheck and its Catch2 glue; the seed is fixed, failures print it.
 #  - COST: seconds of its longest cases; ctest begins with what takes longest.
 #  - RECORDS: what its cases record of deviations goes to ${TWUM_DEVIATIONS}, for house.validation.
-#  - PRECOMPILED: headers besides Catch2's, if TWUM_PRECOMPILE without TWUM_UNITY, whose batches are too few to repay it;
-#    PRECOMPILED_AS takes those of another test.
 #  - A test case tagged [.long] is hidden from ctest; scripts/test-long.sh runs it.
 #  - `#include "support/x.hpp"` finds tests/support/x.hpp.
 #  - The sources may use TWUM_SOURCE_DIR and TWUM_TEST_DATA (tests/data), both string literals.
@@ -24,7 +21,7 @@ find_program(TWUM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(TWUM_PYTHON NAMES python3 REQUIRED)
 
 function(twum_test name)
-  cmake_parse_arguments(ARG "RAPIDCHECK;RECORDS" "TIMEOUT;COST;PRECOMPILED_AS" "SOURCES;LIBRARIES;LABELS;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ARG "RAPIDCHECK;RECORDS" "TIMEOUT;COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -34,7 +31,6 @@ function(twum_test name)
   set(target ${name}_tests)
   twum_test_batches(sources ${ARG_SOURCES})
   add_executable(${target} ${sources})
-  twum_optimized(${target} cold)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${TWUM_UNITY} UNITY_BUILD_MODE GROUP)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
@@ -46,11 +42,6 @@ function(twum_test name)
     target_link_libraries(${target} PRIVATE rapidcheck rapidcheck_catch)
   endif()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(TWUM_PRECOMPILE AND NOT TWUM_UNITY AND ARG_PRECOMPILED_AS)
-    target_precompile_headers(${target} REUSE_FROM ${ARG_PRECOMPILED_AS}_tests)
-  elseif(TWUM_PRECOMPILE AND NOT TWUM_UNITY)
-    target_precompile_headers(${target} PRIVATE <catch2/catch.hpp> ${ARG_PRECOMPILED})
-  endif()
   # -w NoTests: a name that matches nothing is a failure, not a silent pass.
   catch_discover_tests(${target} TEST_PREFIX "${name}." EXTRA_ARGS -w NoTests)
   set(labels ${name} ${ARG_LABELS})

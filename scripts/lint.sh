@@ -9,14 +9,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 format=$(command -v clang-format-14 || command -v clang-format)
 mapfile -t files < <(find core optim studies apps bench tests bindings examples -name '*.[ch]pp' 2>/dev/null | sort)
-mapfile -t scripts < <(find studies/report/page -name '*.js' | sort)
+mapfile -t scripts < <(find studies/page -name '*.js' | sort)
 if [[ ${1:-} == --fix ]]; then
   exec "$format" -i "${files[@]}" "${scripts[@]}"
 fi
 "$format" --dry-run --Werror "${files[@]}" "${scripts[@]}"
 # The pages' modules: names, arguments and types, as far as they can be inferred.
 tsc --noEmit --allowJs --checkJs --noUnusedLocals --noUnusedParameters --target es2022 --module es2022 \
-  --lib es2022,dom,dom.iterable studies/report/page/*.d.ts "${scripts[@]}"
+  --lib es2022,dom,dom.iterable studies/page/*.d.ts "${scripts[@]}"
 
 if [[ ${1:-} == --tidy ]]; then
   configure dev

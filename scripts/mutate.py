@@ -4,7 +4,7 @@
 
     scripts/mutate.py core/src/contact/lap.cpp                      every change of one file
     scripts/mutate.py optim/src --count 30 --seed 2                 30 changes of a folder, drawn at random
-    scripts/mutate.py studies/files --tests "studies_tests [store]" "entries_tests [store]"
+    scripts/mutate.py studies/io --tests "studies_tests [store]" "entries_tests [store]"
     scripts/mutate.py --list core/src/contact/lap.cpp               prints the changes
 
 A change replaces an arithmetic operator, a comparison, a logical operator, a sign, true or false, or a number. Each is

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <atomic>
 #include <cstdlib>

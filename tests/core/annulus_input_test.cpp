@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <string>
 

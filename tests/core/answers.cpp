@@ -7,7 +7,7 @@
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <cmath>
 #include <cstdlib>

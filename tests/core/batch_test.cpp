@@ -3,7 +3,7 @@
 #include "support/test_motors.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/performance/batch.hpp>
+#include <twum/core/batch.hpp>
 
 #include <catch2/catch.hpp>
 

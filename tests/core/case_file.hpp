@@ -3,7 +3,7 @@
 
 #include "support/test_motors.hpp"
 
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <yaml-cpp/yaml.h>
 

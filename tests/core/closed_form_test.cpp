@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 // Closed forms of theory section 8, each written here from the page and used nowhere in the core.
 namespace {

@@ -3,8 +3,8 @@
 
 #include "support/test_motors.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <algorithm>
 #include <cmath>

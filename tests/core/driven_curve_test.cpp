@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <yaml-cpp/yaml.h>
 

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/equivalent_circuit.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <cmath>
 #include <complex>

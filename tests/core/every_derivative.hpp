@@ -6,8 +6,8 @@
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <algorithm>
 #include <cmath>

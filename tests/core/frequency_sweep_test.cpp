@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 #include <complex>

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <algorithm>
 

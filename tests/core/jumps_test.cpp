@@ -4,7 +4,7 @@
 #include "support/driven_motors.hpp"
 #include "support/test_motors.hpp"
 
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <catch2/catch.hpp>
 

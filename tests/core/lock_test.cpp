@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <algorithm>
 #include <cmath>

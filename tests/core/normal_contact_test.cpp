@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/contact/normal_contact.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/normal_contact.hpp>
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <cmath>
 #include <limits>

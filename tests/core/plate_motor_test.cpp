@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/plate.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/plate.hpp>
 
 #include <algorithm>
 #include <cmath>

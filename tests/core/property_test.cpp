@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <array>
 #include <cmath>

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 // The reference cases come from two programs that are not ours; their digits are good to 1e-12 of the
 // torque's scale and 1e-11 of the powers' (tests/data/reference/README.md).

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/motor_design.hpp>
 
 // Exact scaling laws of theory section 8. Tolerance for all of them: rounding of the scaled inputs is
 // 1e-16 relative, and no torque depends on an input more than 1e4 times as strongly as on its own

@@ -4,8 +4,8 @@
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cstdint>
 #include <vector>

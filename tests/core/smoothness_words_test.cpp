@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 #include <vector>

@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <cmath>
 #include <span>

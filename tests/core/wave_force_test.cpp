@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 #include <vector>

@@ -2,9 +2,9 @@
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/expression.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <cmath>
 

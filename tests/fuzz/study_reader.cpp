@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "entries/resolved_study.hpp"
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
-#include "kinds/executor.hpp"
-#include "study/resolved_study.hpp"
+#include "kinds/rows/executor.hpp"
 
 #include <memory>
 

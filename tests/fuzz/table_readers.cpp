@@ -3,8 +3,8 @@
 #include "fuzz/targets.hpp"
 #include "tables/measured_points.hpp"
 
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/motors/design_table.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <algorithm>
 #include <cmath>

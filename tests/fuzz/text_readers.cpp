@@ -2,11 +2,11 @@
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
 
-#include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/metrics/motor_limit.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/expression.hpp>
+#include <twum/motors/motor_limit.hpp>
 
 #include <cmath>
 #include <iterator>

@@ -4,53 +4,76 @@ import re
 
 import tree
 
-# Layer -> layers of ours it may include. tests/core and tests/optim are held to their layer, so that
-# the physics is tested without solvers and the optimization without motors.
-CORE = ["core/base", "core/design", "core/contact", "core/performance"]
-# Inside studies: four libraries, and the folders of each, in this order.
-STUDIES = {
-    "files": ["text", "units", "formula", "diagnostics", "yaml", "schema", "statistics", "store", "tables"],
-    "motors": ["materials", "metrics", "motor", "tables"],
-    "studies": ["problem", "study", "results", "kinds", "run"],
-    "report": ["report", "datasheet", "run"],
+# The libraries, each with those of ours that it may include, and the folders of its src in their order. A file may include its own
+# folder and those before it. tests/core and tests/optim are held to their libraries, so that the physics is tested
+# without solvers and the optimization without motors.
+LIBRARIES = {
+    "core/base": [],
+    "core/stator": ["core/base"],
+    "core": ["core/base", "core/stator"],
+    "optim": ["core/base"],
+    "studies/io": ["core/base"],
+    "studies/motors": ["core/base", "core/stator", "core", "studies/io"],
+    "studies": ["core/base", "core/stator", "core", "optim", "studies/io", "studies/motors"],
 }
-FOLDERS = [f"studies/{part}/{folder}" for part, folders in STUDIES.items() for folder in folders]
-ALL_STUDIES = CORE + ["core/stator", "optim"] + FOLDERS + ["studies/report"]
-ALLOWED = {
-    "core/base": CORE[:1],
-    "core/stator": ["core/base", "core/stator"],
-    "core/design": ["core/stator"] + CORE[:2],
-    "core/contact": ["core/stator"] + CORE[:3],
-    "core/performance": ["core/stator"] + CORE,
-    "optim": ["core/base", "optim"],
-    "apps": ALL_STUDIES + ["apps"],
-    "bindings": ALL_STUDIES + ["bindings"],
+FOLDERS = {
+    "core": ["design", "contact", "model", "point", "curve", "drive", "metrics"],
+    "optim": ["sampling", "problem", "solvers", "certificate", "search", "fronts", "fit", "robust"],
+    "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
+    "studies/motors": ["materials", "metrics", "file", "tables"],
+    "studies": ["statistics", "problem", "entries", "results", "kinds/rows", "kinds/sample", "kinds/sensitivity",
+                "kinds/calibrate", "kinds/robust", "kinds/search", "stored", "report", "datasheet", "run"],
+}
+# Public headers whose functions and classes a source of another name defines, and those of types alone, in the lowest folder that
+# needs them.
+FOLDER_OF_HEADER = {
+    "twum/optim/options.hpp": "problem",
+    "twum/optim/robust.hpp": "robust",
+    "twum/optim/robust_problem.hpp": "robust",
+    "twum/io/column.hpp": "store",
+    "twum/io/erased.hpp": "schema",
+    "twum/io/library_versions.hpp": "store",
+    "twum/io/publish.hpp": "schema",
+    "twum/io/schema.hpp": "schema",
+    "twum/io/shape.hpp": "schema",
+    "twum/io/shared_list.hpp": "schema",
+    "twum/io/value_error.hpp": "text",
+    "twum/io/value_shape.hpp": "schema",
+    "twum/io/yaml_loader.hpp": "yaml",
+    "twum/io/yaml_node.hpp": "yaml",
+    "twum/studies/estimate.hpp": "statistics",
+    "twum/studies/extent.hpp": "statistics",
+    "twum/studies/study.hpp": "entries",
+    "twum/studies/fit_curves.hpp": "results",
+    "twum/studies/run_options.hpp": "stored",
+    "twum/studies/stored_result.hpp": "stored",
+} | {f"twum/studies/{name}.hpp": "results" for name in (
+    "calibrate_result", "curve_result", "frequency_result", "move", "optimize_result", "pareto_result", "robust_result",
+    "run_progress", "sample_results", "search_results", "sensitivity_result", "study_result", "sweep_result",
+    "uncertainty_result")}
+OTHERS = {
+    "apps": list(LIBRARIES),
+    "bindings": list(LIBRARIES),
     # Compiled for pages: core, and of studies what writes notes and curves.
-    "bindings/wasm": CORE + ["core/stator", "studies/files/text", "studies/files/units", "studies/motors/motor", "bindings/wasm"],
-    "tests/core": ["core/stator"] + CORE + ["tests/core", "tests/support"],
-    "tests/stator": ["core/base", "core/stator", "tests/stator", "tests/support"],
-    "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
-    "tests/files": ["core/base", "optim", "tests/files", "tests/support"] +
-                   [folder for folder in FOLDERS if folder.startswith("studies/files/")],
-    "studies/report": ALL_STUDIES,  # the umbrella header
+    "bindings/wasm": ["core/base", "core/stator", "core", "studies/io", "studies/motors"],
+    "tests/core": ["core/base", "core/stator", "core", "tests/support"],
+    "tests/stator": ["core/base", "core/stator", "tests/support"],
+    "tests/optim": ["core/base", "optim", "tests/support"],
+    "tests/io": ["core/base", "studies/io", "tests/support"],
 }
-for number, folder in enumerate(FOLDERS):
-    below = ["core/base", "optim"] if folder.startswith("studies/files/") else CORE + ["core/stator", "optim"]
-    ALLOWED[folder] = below + FOLDERS[:number + 1]
 
 # Where a quoted include may start, besides the folder of the file itself.
-PRIVATE_ROOTS = ["core/src", "core/base/src", "core/stator/src", "optim/src", "apps/cli", "apps/cli/src",
-                 "bindings", "tests", ""] + [f"studies/{part}/src" for part in STUDIES]
+PRIVATE_ROOTS = [f"{library}/src" for library in LIBRARIES] + ["apps/cli", "apps/cli/src", "bindings", "tests", ""]
 
 # Third-party headers that may appear only in .cpp files, and in which layers.
 ONLY_IN_SOURCES = {
     r"nlopt\.hpp?": {"optim", "bench"},
     r"(coin/)?Ip\w+\.hpp": {"optim", "bench"},
     r"gsl/.*": {"optim", "bench"},
-    r"yaml-cpp/.*": {"studies/files"},
-    r"udunits2\.h": {"studies/files"},
-    r"sqlite3\.h": {"studies/files"},
-    r"mpi\.h": {"studies/studies"},
+    r"yaml-cpp/.*": {"studies/io"},
+    r"udunits2\.h": {"studies/io"},
+    r"sqlite3\.h": {"studies/io"},
+    r"mpi\.h": {"studies"},
 }
 
 # Public headers are installed, and a program that uses them has none of our third-party headers.
@@ -66,38 +89,59 @@ CORE_LACKS = re.compile(r"<(format|source_location|stop_token|ranges|print|expec
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def layer(path):
-    """Layer of a file, from its path; None for folders with no rule (bench, examples, ...)."""
-    parts = tree.name(path).split("/")
-    if parts[0] == "core":
-        if parts[1] == "base":
-            return "core/base"
-        if parts[1] == "stator":
-            return "core/stator"
-        for folder in ("design", "contact", "performance"):
-            if folder in parts:
-                return "core/" + folder
-        return "core/performance"  # umbrella headers
-    if parts[0] == "tests" or parts[:2] == ["bindings", "wasm"]:
-        return "/".join(parts[:2])
-    if parts[0] == "studies":  # studies/PART/src/FOLDER/... or studies/PART/include/twum/studies/FOLDER/...
-        below = parts[3:] if parts[2] == "src" else parts[5:]
-        return "/".join(["studies", parts[1]] + below[:1]) if len(below) > 1 else "studies/report"
-    return parts[0]
+def library(path):
+    """Library of a file, or what else has rules of its own; None for bench, examples, ..."""
+    name = tree.name(path)
+    owners = [known for known in list(LIBRARIES) + list(OTHERS) if name.startswith(known + "/")]
+    return max(owners, key=len, default=None)
+
+
+def folder(path, owner):
+    """Number of its folder in the order of its library. A public header belongs to the folder of the source of its name."""
+    order = FOLDERS.get(owner)
+    if order is None:
+        return 0
+    parts = tree.name(path)[len(owner) + 1:].split("/")
+    if parts[0] == "src":
+        place = "/".join(parts[1:3] if parts[1] == "kinds" else parts[1:2])
+        return order.index(place) if place in order else len(order)
+    if len(parts) == 3:  # the header of all: include/twum/core.hpp
+        return len(order)
+    known = FOLDER_OF_HEADER.get("/".join(parts[1:]))
+    if known is not None:
+        return order.index(known)
+    sources = sorted((tree.ROOT / owner / "src").rglob(path.stem + ".cpp"))
+    return folder(sources[0], owner) if sources else -1
 
 
 def resolve(path, spelled):
     """File of ours that an include means; None if it is not ours."""
     candidates = [path.parent / spelled]
     candidates += [tree.ROOT / root / spelled for root in PRIVATE_ROOTS]
-    candidates += [tree.ROOT / base / "include" / spelled
-                   for base in ["core/base", "core/stator", "core", "optim"] + [f"studies/{part}" for part in STUDIES]]
+    candidates += [tree.ROOT / owner / "include" / spelled for owner in LIBRARIES]
     return next((c.resolve() for c in candidates if c.is_file()), None)
 
 
+def against_order(path, target):
+    """What is wrong with the include of a file of ours; empty if nothing is."""
+    here, there = library(path), library(target)
+    if here is None or (here, there) == (None, None):
+        return ""
+    if here != there:
+        allowed = OTHERS.get(here) or LIBRARIES.get(here, [])
+        return "" if there in allowed or there is None and here in OTHERS else f"{here} may not include {there}"
+    if here not in FOLDERS:
+        return ""
+    order, ours, theirs = FOLDERS[here], folder(path, here), folder(target, here)
+    if theirs == -1:
+        return f"{tree.name(target)} belongs to no folder: no source has its name, and FOLDER_OF_HEADER does not name it"
+    if ours < theirs < len(order):
+        return f"{here}/{order[ours]} may not include what belongs to {order[theirs]}"
+    return ""
+
+
 def check(path):
-    here = layer(path)
-    allowed = ALLOWED.get(here)
+    here = library(path) or tree.name(path).split("/")[0]
     for number, line in enumerate(tree.text(path).splitlines(), 1):
         place = f"{tree.name(path)}:{number}"
         if here.startswith("core") and CORE_LACKS.search(line):
@@ -110,8 +154,9 @@ def check(path):
             yield f"{place}: include \"{spelled}\" by its path from the layer's root, without '..'"
         target = resolve(path, spelled) if quote == '"' or spelled.startswith("twum/") else None
         if target is not None:
-            if allowed is not None and layer(target) not in allowed:
-                yield f"{place}: {here} may not include {layer(target)} ({spelled})"
+            wrong = against_order(path, target)
+            if wrong:
+                yield f"{place}: {wrong} ({spelled})"
             continue
         if quote == '"' or spelled.startswith("twum/"):
             yield f"{place}: no file of ours is called {spelled}"
@@ -128,7 +173,7 @@ def check(path):
                 continue
             if path.suffix != ".cpp":
                 yield f"{place}: <{spelled}> belongs in a .cpp file"
-            if here not in layers and "/".join(here.split("/")[:2]) not in layers:
+            if here not in layers:
                 yield f"{place}: <{spelled}> is for {', '.join(sorted(layers))}, not for {here}"
 
 

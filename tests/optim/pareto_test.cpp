@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <twum/optim/certificate.hpp>
+#include <twum/optim/certify.hpp>
 #include <twum/optim/hypervolume.hpp>
 #include <twum/optim/pareto.hpp>
 

@@ -13,8 +13,8 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RING = ROOT / "examples/motors/ring-60.yaml"
-SOURCE = "studies/report/page_assets.cpp"
-OBJECT = "studies/report/CMakeFiles/twum_studies.dir/page_assets.cpp.o"
+SOURCE = "studies/page_assets.cpp"
+OBJECT = "studies/CMakeFiles/twum_studies.dir/page_assets.cpp.o"
 ARGUMENTS = None
 
 
@@ -58,7 +58,7 @@ class WithoutDesigner(unittest.TestCase):
     def linked(cls, parts):
         """The program with these parts: an object stands before the archives."""
         words = cls.words("bin/twum")
-        words.insert(words.index("studies/report/libtwum_studies.a"), parts)
+        words.insert(words.index("studies/libtwum_studies.a"), parts)
         words[words.index("-o") + 1] = f"{cls.folder}/twum"
         output(*words, cwd=cls.build)
         return cls.folder / "twum"

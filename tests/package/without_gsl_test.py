@@ -59,18 +59,18 @@ class WithoutGsl(unittest.TestCase):
 
     def test_builds_with_and_without_gsl_differ_in_one_source(self):
         ours, without = self.sources(self.build), self.sources(self.folder)
-        self.assertEqual(ours - without, {"optim/src/gsl_fit.cpp"})
-        self.assertEqual(without - ours, {"optim/src/no_gsl_fit.cpp"})
+        self.assertEqual(ours - without, {"optim/src/fit/gsl_fit.cpp"})
+        self.assertEqual(without - ours, {"optim/src/fit/no_gsl_fit.cpp"})
         # The versions are a definition of one source.
         settings = (ROOT / "optim/CMakeLists.txt").read_text()
         self.assertEqual(settings.count("TWUM_GSL_VERSION"), 1)
-        self.assertRegex(settings, r'set_source_files_properties\(src/library_versions\.cpp PROPERTIES COMPILE_DEFINITIONS\s+"TWUM_GSL_VERSION')
+        self.assertRegex(settings, r'set_source_files_properties\(src/problem/library_versions\.cpp PROPERTIES COMPILE_DEFINITIONS\s+"TWUM_GSL_VERSION')
 
     def test_nothing_else_includes_gsl(self):
         sources = [path for part in ("core", "optim", "studies", "apps", "bindings") for path in (ROOT / part).rglob("*.?pp")]
         self.assertTrue(sources)
         knowing = [str(path.relative_to(ROOT)) for path in sources if INCLUDES_GSL.search(path.read_text(encoding="utf-8"))]
-        self.assertEqual(knowing, ["optim/src/gsl_fit.cpp"])
+        self.assertEqual(knowing, ["optim/src/fit/gsl_fit.cpp"])
 
     def test_the_library_needs_nothing_of_gsl(self):
         said = output("nm", "--undefined-only", self.build / LIBRARY, *(self.folder / path for path in OBJECTS))

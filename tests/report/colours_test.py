@@ -5,7 +5,7 @@ import pathlib
 import re
 import unittest
 
-STYLE = (pathlib.Path(__file__).resolve().parents[2] / "studies/report/page/style.css").read_text()
+STYLE = (pathlib.Path(__file__).resolve().parents[2] / "studies/page/style.css").read_text()
 
 # Machado, Oliveira and Fernandes (2009), complete loss of one kind of cone; linear RGB.
 VISIONS = {

@@ -5,7 +5,7 @@ import pathlib
 import re
 import unittest
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "studies/report/page"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "studies/page"
 MODULES = sorted(PAGE.glob("*.js")) + sorted(PAGE.glob("designer/*.js"))
 LONGEST = 120
 

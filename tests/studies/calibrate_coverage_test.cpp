@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calibrations to noisy data of every kind: how often the intervals hold the truth.
 #include "calibrate_benches.hpp"
-#include "files/statistics/coverage.hpp"
+#include "studies/statistics/coverage.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameters with a value of their own in each of several tables of measurements.
 #include "calibrate_support.hpp"
-#include "kinds/found_motors.hpp"
-#include "study/resolved_study.hpp"
+#include "entries/resolved_study.hpp"
+#include "kinds/sample/found_motors.hpp"
 #include "support/motor_files.hpp"
 
-#include <twum/studies/results/fit_curves.hpp>
+#include <twum/studies/fit_curves.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calibrate_support.hpp"
-#include "files/statistics/coverage.hpp"
+#include "studies/statistics/coverage.hpp"
 
 #include <twum/base/error.hpp>
 

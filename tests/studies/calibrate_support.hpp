@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kinds/calibration.hpp"
-#include "kinds/executor.hpp"
+#include "kinds/calibrate/calibration.hpp"
+#include "kinds/rows/executor.hpp"
 #include "results/answers.hpp"
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 #include <twum/optim/random.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <cmath>
 #include <cstdio>

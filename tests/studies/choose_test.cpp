@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `choose:`: sets of parameters of which a design has one.
+#include "entries/resolved_study.hpp"
 #include "search_support.hpp"
-#include "study/resolved_study.hpp"
 #include "support/motor_files.hpp"
 
 #include <twum/optim/solve.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -3,8 +3,8 @@
 #include "support/scratch_folder.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/results/comparison.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/comparison.hpp>
 
 #include <catch2/catch.hpp>
 

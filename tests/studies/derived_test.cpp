@@ -3,8 +3,8 @@
 #include "support/motor_files.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/metrics/varied_parameters.hpp>
-#include <twum/studies/text/value_error.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/varied_parameters.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/error.hpp>
-#include <twum/studies/tables/design_table.hpp>
-#include <twum/studies/text/number.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/design_table.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search_support.hpp"
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 #include <twum/optim/random.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/text/value_error.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <catch2/catch.hpp>
 

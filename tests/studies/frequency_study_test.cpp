@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/studies/motor/frequency_points.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/store/result_store.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/motors/frequency_points.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -2,11 +2,11 @@
 // Files that were not written to be read: nothing but an InputError may come of them, and that soon.
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/motors/design_table.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs in tests/data/motor_errors: a wrong motor file, and beside it the whole text of the error.
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -2,10 +2,10 @@
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/schema/publish.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/io/publish.hpp>
+#include <twum/io/units.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/motor_limit.hpp>
-#include <twum/studies/text/value_error.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/motor_limit.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "support/motor_files.hpp"
 
 #include <twum/optim/solve.hpp>
-#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/motor_problem.hpp>
 
 #include <catch2/catch.hpp>
 

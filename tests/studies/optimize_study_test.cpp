@@ -2,7 +2,7 @@
 
 #include "search_support.hpp"
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 #include <twum/optim/random.hpp>
 
 #include <catch2/catch.hpp>

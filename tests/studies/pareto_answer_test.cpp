@@ -183,7 +183,6 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   CHECK(json["front"][1]["bounds"][0]["gains"] == Json::array({0.1, 0.025}));
   CHECK_FALSE(json["front"][0]["constraints"][0].contains("gains"));  // it holds nothing back there
   CHECK(json["single_goal_ends"].size() == 2);
-  CHECK(json["alone"] == json["single_goal_ends"]);
   CHECK_FALSE(json["single_goal_ends"][0]["constraints"][0].contains("gains"));  // one goal
 
   // A goal of no weight does not trade to first order.

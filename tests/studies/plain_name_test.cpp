@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/plain_name.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -3,8 +3,8 @@
 #include "answer_support.hpp"
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/report/report.hpp>
-#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/report.hpp>
+#include <twum/studies/run_study.hpp>
 
 #include <catch2/catch.hpp>
 

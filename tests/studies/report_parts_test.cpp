@@ -7,9 +7,9 @@
 #include "search_support.hpp"
 #include "support/constants.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/curve_points.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/curve_points.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <catch2/catch.hpp>
 

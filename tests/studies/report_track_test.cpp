@@ -5,8 +5,8 @@
 #include "report_numbers.hpp"
 #include "support/motor_files.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <catch2/catch.hpp>
 

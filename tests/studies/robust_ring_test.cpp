@@ -6,7 +6,7 @@
 
 #include <twum/optim/robust.hpp>
 #include <twum/optim/solve.hpp>
-#include <twum/studies/problem/robust_question.hpp>
+#include <twum/studies/robust_question.hpp>
 
 #include <cmath>
 

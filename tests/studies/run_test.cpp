@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/run_study.hpp>
 
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/metrics/reasons.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/motors/reasons.hpp>
 
 #include <catch2/catch.hpp>
 

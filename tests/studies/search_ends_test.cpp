@@ -6,9 +6,9 @@
 
 #include <twum/optim/random.hpp>
 #include <twum/optim/solvers.hpp>
-#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/motor_problem.hpp>
 
-#include "solve_continuous.hpp"
+#include "search/solve_continuous.hpp"
 #include "support/motor_files.hpp"
 
 #include <catch2/catch.hpp>

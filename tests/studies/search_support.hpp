@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kinds/executor.hpp"
+#include "kinds/rows/executor.hpp"
 #include "results/answers.hpp"
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/motor/settings.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <catch2/catch.hpp>
 

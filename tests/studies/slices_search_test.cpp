@@ -2,10 +2,10 @@
 // Searches of a motor whose number of slices is `auto`.
 #include "search_support.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/settings.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
-#include <twum/studies/metrics/statistic.hpp>
-#include <twum/studies/text/value_error.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/statistic.hpp>
 
 #include <cmath>
 

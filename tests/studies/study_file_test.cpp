@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/study/study_file.hpp>
-#include <twum/studies/text/value_error.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/io/result_store.hpp>
 #include <twum/optim/latin_hypercube.hpp>
 #include <twum/optim/low_discrepancy.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/store/result_store.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

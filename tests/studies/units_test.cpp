@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/units/engineering.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/reasons.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/reasons.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -5,8 +5,8 @@
 #include "support/point_checks.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "support/test_motors.hpp"
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cstdint>
 #include <map>

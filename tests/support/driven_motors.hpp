@@ -3,8 +3,8 @@
 
 #include "support/test_motors.hpp"
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/motor_design.hpp>
+#include <twum/core/parameters.hpp>
 
 namespace twum::test {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/motor_design.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <array>
 #include <cstdint>

@@ -10,10 +10,10 @@
 #include "progress.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/run/processes.hpp>
-#include <twum/studies/store/result_store.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/io/words.hpp>
+#include <twum/studies/processes.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -5,9 +5,9 @@
 #include "terminal.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/tables/csv.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/csv.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
 
 #include <unistd.h>
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
 
 #include <cstddef>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/contact/zone.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/zone.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 #include "json_parts.hpp"
 #include "text_table.hpp"
 
-#include <twum/studies/tables/csv.hpp>
+#include <twum/io/csv.hpp>
 
 namespace twum::cli {
 namespace {

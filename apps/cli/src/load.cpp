@@ -5,7 +5,7 @@
 #include "notes.hpp"
 #include "options.hpp"
 
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <CLI/CLI.hpp>
 

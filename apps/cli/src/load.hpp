@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "message.hpp"
 
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -3,8 +3,8 @@
 
 #include "message.hpp"
 
-#include <twum/studies/metrics/reasons.hpp>
-#include <twum/studies/motor/model_notes.hpp>
+#include <twum/motors/model_notes.hpp>
+#include <twum/motors/reasons.hpp>
 
 #include <algorithm>
 

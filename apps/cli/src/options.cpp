@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.hpp"
 
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <CLI/CLI.hpp>
 

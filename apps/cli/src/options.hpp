@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output.hpp"
 
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 #include <cerrno>
 #include <cstring>

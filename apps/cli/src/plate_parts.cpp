@@ -3,8 +3,8 @@
 
 #include "text_table.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "json_parts.hpp"
 
-#include <twum/core/design/plate.hpp>
+#include <twum/core/plate.hpp>
 
 #include <cstddef>
 #include <string>

@@ -3,10 +3,10 @@
 
 #include "text_table.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <cmath>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 
 #include "json_parts.hpp"
 
-#include <twum/studies/metrics/expression.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <string>
 #include <vector>

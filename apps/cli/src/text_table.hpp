@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/text/text_table.hpp>
+#include <twum/io/text_table.hpp>
 
 namespace twum::cli {
 

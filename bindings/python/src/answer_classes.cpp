@@ -4,7 +4,7 @@
 #include "motor_answers.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 namespace twum::python {
 namespace {

@@ -6,19 +6,17 @@
 #include "parts.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/performance/batch.hpp>
-#include <twum/studies/motor/settings.hpp>
+#include <twum/base/no_value.hpp>
+#include <twum/core/batch.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <variant>
 
 namespace twum::python {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A column of values of one parameter. A single value applies to every design.
 struct ParameterColumn {
@@ -180,7 +178,7 @@ py::dict evaluate_batch(const PyMotor& base, const py::object& arguments, const 
           [&](std::size_t row, const DesignOutcome<std::vector<MetricValue>>& outcome) {
             const auto* values = std::get_if<std::vector<MetricValue>>(&outcome);
             for (std::size_t k = 0; k < results.size(); ++k)
-              results[k][row] = values != nullptr ? (*values)[k].value : kNaN;
+              results[k][row] = values != nullptr ? (*values)[k].value : kNoValue;
             statuses[row] = values != nullptr ? status_of(metrics, *values)
                                               : std::get<DesignFailure>(outcome).text;
           });
@@ -214,8 +212,8 @@ class DerivativeColumns {
   }
 
   void refuse(std::size_t row, const std::string& why) {
-    MetricDerivative none{{kNaN}, {}, Smoothness::undefined};
-    none.gradient.fill(kNaN);
+    MetricDerivative none{{kNoValue}, {}, Smoothness::undefined};
+    none.gradient.fill(kNoValue);
     set(row, none, why);
   }
 

@@ -3,9 +3,9 @@
 
 #include "parts.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/studies/motor_problem.hpp>
 
 #include <concepts>
 #include <string>

@@ -2,9 +2,9 @@
 #include "conversions.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <algorithm>
 

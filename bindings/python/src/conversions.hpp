@@ -5,9 +5,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/metrics/expression.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <functional>
 #include <optional>

@@ -2,8 +2,8 @@
 #include "parts.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/result_store.hpp>
 
 #include <exception>
 

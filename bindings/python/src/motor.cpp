@@ -6,9 +6,9 @@
 #include "parts.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/report/datasheet.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/studies/datasheet.hpp>
 
 #include <cmath>
 #include <memory>

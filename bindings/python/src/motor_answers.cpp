@@ -5,8 +5,8 @@
 #include "conversions.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/motor/curve_points.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/curve_points.hpp>
 
 #include <limits>
 #include <optional>

@@ -6,10 +6,10 @@
 #include "problem_state.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/motor/parameter_set.hpp>
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/problem/sizing.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/parameter_set.hpp>
+#include <twum/motors/settings.hpp>
+#include <twum/studies/sizing.hpp>
 
 #include <array>
 #include <memory>
@@ -143,7 +143,7 @@ py::list limits_list(const optim::Certificate& certificate) {
 py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.relaxations, [](const optim::Relaxation& one) {
     return py::dict("text"_a = one.name, "limit"_a = one.limit, "amount"_a = one.amount,
-                    "amount_alone"_a = one.amount_alone, "alone"_a = one.amount_alone);
+                    "amount_alone"_a = one.amount_alone);
   });
 }
 
@@ -159,8 +159,7 @@ py::list impossible_list(const optim::Infeasibility& infeasibility) {
 py::list ranges_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.ranges, [](const optim::RangeEnd& end) {
     return py::dict("variable"_a = end.variable, "side"_a = side_name(end.side),
-                    "limit"_a = end.limit, "limit_alone"_a = end.limit_alone,
-                    "alone"_a = end.limit_alone);
+                    "limit"_a = end.limit, "limit_alone"_a = end.limit_alone);
   });
 }
 

@@ -3,8 +3,8 @@
 
 #include "conversions.hpp"
 
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/motor/settings.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <tuple>
 #include <utility>

@@ -5,10 +5,10 @@
 #include "parts.hpp"
 #include "results/answers.hpp"
 
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/results/study_result.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/motors/settings.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
+#include <twum/studies/study_result.hpp>
 
 #include <mutex>
 #include <optional>

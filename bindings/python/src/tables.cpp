@@ -3,12 +3,12 @@
 #include "conversions.hpp"
 #include "parts.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/words.hpp>
 #include <twum/optim/solvers.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
-#include <twum/studies/units/units.hpp>
 
 namespace twum::python {
 namespace {

@@ -6,12 +6,12 @@
 #include "wasm/src/stated_design.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/equivalent_circuit.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/curve_points.hpp>
-#include <twum/studies/motor/model_notes.hpp>
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/motors/curve_points.hpp>
+#include <twum/motors/model_notes.hpp>
 
 #include <cmath>
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/text/number.hpp>
+#include <twum/io/number.hpp>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/src/stated_design.hpp"
 
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <cmath>
 #include <vector>

@@ -19,14 +19,16 @@
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
-#include <twum/core/contact/normal_contact.hpp>
-#include <twum/core/contact/zone.hpp>
-#include <twum/core/design/motor_design.hpp>
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/design/plate.hpp>
-#include <twum/core/performance/backward_wave.hpp>
-#include <twum/core/performance/batch.hpp>
-#include <twum/core/performance/equivalent_circuit.hpp>
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/backward_wave.hpp>
+#include <twum/core/batch.hpp>
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/core/metric_value.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/motor_design.hpp>
+#include <twum/core/normal_contact.hpp>
+#include <twum/core/operating_point.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/core/plate.hpp>
+#include <twum/core/zone.hpp>

@@ -5,7 +5,7 @@
 #include "contact/layer_motion.hpp"
 #include "contact/scalars.hpp"
 
-#include <twum/core/contact/zone.hpp>
+#include <twum/core/zone.hpp>
 
 #include <cstdint>
 #include <numbers>

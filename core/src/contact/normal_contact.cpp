@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/contact/normal_contact.hpp>
+#include <twum/core/normal_contact.hpp>
 
 #include "contact/load_shape.hpp"
 

@@ -5,7 +5,7 @@
 #include "contact/first_zero.hpp"
 #include "contact/lap.hpp"
 
-#include <twum/core/contact/zone.hpp>
+#include <twum/core/zone.hpp>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include "design/layer_properties.hpp"
 

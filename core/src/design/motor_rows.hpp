@@ -3,7 +3,7 @@
 
 #include "design/geometry_rows.hpp"
 
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <array>
 

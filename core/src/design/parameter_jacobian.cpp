@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include "design/layer_properties.hpp"
 #include "design/parameter_slopes.hpp"

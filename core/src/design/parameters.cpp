@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/design/parameters.hpp>
+#include <twum/base/no_value.hpp>
+#include <twum/core/parameters.hpp>
 
 #include "design/geometry_rows.hpp"
 #include "design/layer_properties.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 
 namespace twum {
@@ -38,9 +38,7 @@ constexpr bool every_parameter_in_its_place() {
 static_assert(every_parameter_in_its_place(),
               "a parameter has no row of its own, or not in its place");
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-double or_nan(const std::optional<double>& value) { return value.value_or(kNaN); }
+double or_nan(const std::optional<double>& value) { return value.value_or(kNoValue); }
 
 std::string number(double value) {
   char text[32];
@@ -192,7 +190,7 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::frequency_ratio:
       return used() ? *stator.frequency_ratio
                     : stator.frequency / get(design, P::resonance_frequency);
-    case P::amplitude: return used() ? stator.amplitude : kNaN;
+    case P::amplitude: return used() ? stator.amplitude : kNoValue;
     case P::voltage: return or_nan(stator.voltage);
     case P::modal_damping: return modal_damping(design);
     case P::quality_factor:
@@ -207,11 +205,11 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::voltage_ratio: return stator.imbalance.value_or(Imbalance{}).voltage_ratio;
     case P::phase_error: return stator.imbalance.value_or(Imbalance{}).phase_error;
     case P::mode_splitting: return stator.imbalance.value_or(Imbalance{}).mode_splitting;
-    case P::sensor_force_factor: return used() ? stator.sensor->force_factor : kNaN;
-    case P::sensor_capacitance: return used() ? stator.sensor->capacitance : kNaN;
-    case P::sensor_load_capacitance: return used() ? stator.sensor->load_capacitance : kNaN;
-    case P::sensor_load_resistance: return used() ? *stator.sensor->load_resistance : kNaN;
-    case P::sensor_position: return used() ? stator.sensor->position : kNaN;
+    case P::sensor_force_factor: return used() ? stator.sensor->force_factor : kNoValue;
+    case P::sensor_capacitance: return used() ? stator.sensor->capacitance : kNoValue;
+    case P::sensor_load_capacitance: return used() ? stator.sensor->load_capacitance : kNoValue;
+    case P::sensor_load_resistance: return used() ? *stator.sensor->load_resistance : kNoValue;
+    case P::sensor_position: return used() ? stator.sensor->position : kNoValue;
     case P::radial_slices: return stator.radial_slices;
     case P::shape_exponent: return stator.radial_shape.exponent;
     case P::shape_root: return stator.radial_shape.root;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/core/design/plate.hpp>
+#include <twum/core/plate.hpp>
 
 #include "design/plate_numbers.hpp"
 

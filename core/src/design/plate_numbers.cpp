@@ -2,7 +2,7 @@
 #include "design/plate_numbers.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/plate.hpp>
+#include <twum/core/plate.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <twum/base/dual.hpp>
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
 #include <twum/optim/certificate.hpp>
+#include <twum/optim/certify.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>

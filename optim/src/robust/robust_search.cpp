@@ -4,7 +4,7 @@
 #include "robust/centres.hpp"
 #include "robust/verification.hpp"
 
-#include <twum/optim/certificate.hpp>
+#include <twum/optim/certify.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/solve.hpp>

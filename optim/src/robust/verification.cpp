@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/verification.hpp"
 
+#include <twum/base/no_value.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/random.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::uint64_t kFreshStream =
     0x7E51F1ED00ULL;  // apart from the other random numbers of a seed
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 std::vector<double> fresh_normals(std::uint64_t seed, std::uint64_t run, std::uint64_t index,
                                   std::size_t count) {
   Random random(seed, kFreshStream + run, index);
@@ -62,7 +60,7 @@ class TighterYields {
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       const double mean = sums_[k] / n;
       list.push_back({mean, std::sqrt((squares_[k] / n - mean * mean) / n)});
-      if (problem_.inputs[k].law != Law::normal) list.back() = {kNaN, kNaN};
+      if (problem_.inputs[k].law != Law::normal) list.back() = {kNoValue, kNoValue};
     }
     return list;
   }
@@ -125,7 +123,7 @@ class CountedProducts {
     const std::uint64_t index = made_++;
     if (!answer.ok()) ++found_.lost[answer.failure];
     for (std::size_t r = 0; r < found_.values.size(); ++r)
-      found_.values[r].push_back(answer.ok() ? answer.values[r] : kNaN);
+      found_.values[r].push_back(answer.ok() ? answer.values[r] : kNoValue);
     std::vector<bool> keeps(good_.size(), true);
     for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
       const RobustTerm& term = terms_.terms[j];

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/contact/normal_contact.hpp>
+#include <twum/core/normal_contact.hpp>
 
 #include <cmath>
 #include <numbers>

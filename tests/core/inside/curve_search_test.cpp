@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/curve/search.hpp"
+#include "curve/search.hpp"
 
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <catch2/catch.hpp>
 

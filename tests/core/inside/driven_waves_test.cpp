@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/drive/drive.hpp"
+#include "drive/drive.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/curve/speed_roots.hpp"
+#include "curve/speed_roots.hpp"
 #include "random_contact.hpp"
 
 #include <twum/base/error.hpp>

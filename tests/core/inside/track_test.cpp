@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/track.hpp"
+#include "model/track.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <twum/base/gauss_rule.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 #include <numbers>

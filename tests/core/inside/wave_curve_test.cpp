@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/drive/drive.hpp"
+#include "drive/drive.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/zone_integrals.hpp"
-#include "performance/point_derivatives.hpp"
+#include "point/point_derivatives.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>

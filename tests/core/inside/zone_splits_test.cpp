@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/zone_splits.hpp"
-#include "performance/track.hpp"
+#include "model/zone_splits.hpp"
+#include "model/track.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <algorithm>
 #include <cmath>

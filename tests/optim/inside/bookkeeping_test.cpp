@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a stage adds to the counts of its solve, and how an answer that a solver left is finished.
-#include "stage_runner.hpp"
+#include "search/stage_runner.hpp"
 
 #include "optim/bank/posed.hpp"
 

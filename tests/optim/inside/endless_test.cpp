@@ -6,10 +6,10 @@
 #include <twum/optim/solve.hpp>
 #include <twum/optim/solvers.hpp>
 
-#include "allowance.hpp"
-#include "augmented_lagrangian.hpp"
-#include "restarts.hpp"
-#include "solve_continuous.hpp"
+#include "search/solve_continuous.hpp"
+#include "solvers/allowance.hpp"
+#include "solvers/augmented_lagrangian.hpp"
+#include "solvers/restarts.hpp"
 
 #include <catch2/catch.hpp>
 

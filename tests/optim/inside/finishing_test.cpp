@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a certificate and the Newton steps that finish an answer, each by its definition.
-#include "certify.hpp"
-#include "nnls.hpp"
+#include "certificate/certify.hpp"
+#include "certificate/nnls.hpp"
 #include "polished_stage.hpp"
 
 #include "optim/bank/posed.hpp"

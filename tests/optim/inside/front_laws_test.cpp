@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the parts of a front search promise, each from its definition, and how a front says that it
 // ended.
-#include "front_search.hpp"
+#include "fronts/front_search.hpp"
 #include "optim/bank/dual_problem.hpp"
 
 #include <twum/optim/hypervolume.hpp>

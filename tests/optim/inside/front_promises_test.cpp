@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a front spends, how many points it has, and why it ended.
-#include "front_search.hpp"
+#include "fronts/front_search.hpp"
 #include "optim/bank/dual_problem.hpp"
 
 #include <twum/optim/pareto.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which limits have to be loosened, and by how much, where that can be computed by hand.
-#include "infeasibility.hpp"
+#include "search/infeasibility.hpp"
 
 #include "optim/bank/dual_problem.hpp"
 

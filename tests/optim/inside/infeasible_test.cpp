@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of problems without a feasible design, where the least infeasible one is known.
-#include "infeasibility.hpp"
+#include "search/infeasibility.hpp"
 
 #include "optim/bank/dual_problem.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that solvers share: the archive of what they see, the box they search, names and random
 // numbers.
-#include "nlp.hpp"
-#include "optimizer.hpp"
+#include "problem/nlp.hpp"
+#include "solvers/optimizer.hpp"
 
 #include "optim/bank/dual_problem.hpp"
 

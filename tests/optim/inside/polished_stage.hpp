@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "polish.hpp"
+#include "certificate/polish.hpp"
 
 #include <optional>
 #include <vector>

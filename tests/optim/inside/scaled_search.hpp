@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "front_search.hpp"
+#include "fronts/front_search.hpp"
 #include "optim/bank/posed.hpp"
 
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Code that never comes back is ended, and code that does gives the answers that it gives without a thread of its own.
-#include "solver_thread.hpp"
+#include "solvers/solver_thread.hpp"
 
 #include <twum/optim/solve.hpp>
 

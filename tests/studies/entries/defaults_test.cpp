@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defaults: what a study leaves out is what it would say.
+#include "entries/resolved_study.hpp"
 #include "entries_support.hpp"
-#include "study/resolved_study.hpp"
 #include "yaml/yaml_text.hpp"
 
 #include <catch2/catch.hpp>

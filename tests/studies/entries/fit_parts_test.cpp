@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of a calibration: residuals of one motor, and what several local fits say together.
 #include "entries_support.hpp"
-#include "kinds/calibration.hpp"
-#include "kinds/measured_fit.hpp"
-#include "kinds/unit_box.hpp"
+#include "kinds/calibrate/calibration.hpp"
+#include "kinds/calibrate/measured_fit.hpp"
+#include "kinds/sensitivity/unit_box.hpp"
 #include "support/constants.hpp"
 
 #include <twum/optim/random.hpp>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kinds of study at motors without an answer, at rows that are damaged, and at several motors at once.
 #include "entries_support.hpp"
-#include "kinds/found_motors.hpp"
-#include "kinds/metric_gradients.hpp"
-#include "kinds/stored_medians.hpp"
+#include "kinds/rows/stored_medians.hpp"
+#include "kinds/sample/found_motors.hpp"
+#include "kinds/sensitivity/metric_gradients.hpp"
 #include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/run_study.hpp>
 
 #include <catch2/catch.hpp>
 

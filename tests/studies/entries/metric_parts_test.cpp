@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derivatives of parameters that follow from others, and metrics beyond the largest load.
 #include "entries_support.hpp"
-#include "kinds/metric_gradients.hpp"
+#include "kinds/sensitivity/metric_gradients.hpp"
 #include "problem/metric_values.hpp"
 #include "support/constants.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/statistics/distribution.hpp>
-#include <twum/studies/statistics/elementary_effects.hpp>
-#include <twum/studies/statistics/moments.hpp>
-#include <twum/studies/statistics/quantiles.hpp>
-#include <twum/studies/statistics/sobol_indices.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/studies/distribution.hpp>
+#include <twum/studies/elementary_effects.hpp>
+#include <twum/studies/moments.hpp>
+#include <twum/studies/quantiles.hpp>
+#include <twum/studies/sobol_indices.hpp>
 
 #include <catch2/catch.hpp>
 

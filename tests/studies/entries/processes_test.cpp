@@ -4,7 +4,7 @@
 #include "run/row_message.hpp"
 #include "run/shared_executor.hpp"
 
-#include <twum/studies/run/processes.hpp>
+#include <twum/studies/processes.hpp>
 
 #include <catch2/catch.hpp>
 

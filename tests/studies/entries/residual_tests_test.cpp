@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What chance says of the residuals of several kinds of data, on made residuals (theory of calibration, section 4).
-#include "kinds/residual_tests.hpp"
+#include "kinds/calibrate/residual_tests.hpp"
 
 #include <catch2/catch.hpp>
 

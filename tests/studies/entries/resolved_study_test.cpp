@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Studies with every default written out, and in what two of them differ.
-#include "study/resolved_study.hpp"
+#include "entries/resolved_study.hpp"
 #include "entries_support.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/run_study.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A directory of results: whose it is, and what cannot be written there.
-#include "run/result_folder.hpp"
+#include "stored/result_folder.hpp"
 #include "entries_support.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
 
 #include <sys/resource.h>
 #include <catch2/catch.hpp>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of a search: what stands in its rows, where it starts, and what it tells on the way.
 #include "entries_support.hpp"
-#include "kinds/earlier_result.hpp"
-#include "kinds/search_rows.hpp"
+#include "kinds/rows/earlier_result.hpp"
+#include "kinds/rows/search_rows.hpp"
 #include "problem/motor_responses.hpp"
 #include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/problem/sizing.hpp>
-#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/sizing.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -2,14 +2,14 @@
 // Local searches from several starts on problems with known answers, what a search starts from, and what
 // the report of a design says.
 #include "entries_support.hpp"
-#include "kinds/design_report.hpp"
+#include "kinds/rows/design_report.hpp"
 #include "problem/motor_responses.hpp"
 #include "problem/multi_start.hpp"
 #include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/problem/sizing.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/sizing.hpp>
 
 #include <catch2/catch.hpp>
 

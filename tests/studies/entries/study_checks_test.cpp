@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a study file is told where entries do not go together.
+#include "entries/resolved_study.hpp"
 #include "entries_support.hpp"
 #include "schema/scalar_checks.hpp"
-#include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/schema/shape.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/yaml/loader.hpp>
+#include <twum/io/shape.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/yaml_loader.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of a study that name something: solvers' options, parameters, rows of what it stored.
 #include "entries_support.hpp"
-#include "kinds/found_motors.hpp"
-#include "kinds/sample_rows.hpp"
+#include "kinds/rows/sample_rows.hpp"
+#include "kinds/sample/found_motors.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/result_store.hpp>
 #include <twum/optim/solvers.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

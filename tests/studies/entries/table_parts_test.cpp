@@ -4,12 +4,12 @@
 #include "tables/measured_points.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/motor/model_notes.hpp>
-#include <twum/studies/statistics/moments.hpp>
-#include <twum/studies/statistics/quantiles.hpp>
-#include <twum/studies/tables/csv.hpp>
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/io/csv.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/motors/design_table.hpp>
+#include <twum/motors/model_notes.hpp>
+#include <twum/studies/moments.hpp>
+#include <twum/studies/quantiles.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -5,18 +5,18 @@
 #include "units/unit_system.hpp"
 #include "yaml/yaml_text.hpp"
 
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/motor/model_notes.hpp>
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/tables/csv.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
-#include <twum/studies/units/units.hpp>
-#include <twum/studies/yaml/loader.hpp>
+#include <twum/io/csv.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/io/yaml_loader.hpp>
+#include <twum/motors/model_notes.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -3,9 +3,9 @@
 #include "entries_support.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <nlohmann/json.hpp>
 

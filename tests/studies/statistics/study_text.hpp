@@ -3,9 +3,9 @@
 
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/results/study_result.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
+#include <twum/studies/study_result.hpp>
 
 #include <fstream>
 #include <string>

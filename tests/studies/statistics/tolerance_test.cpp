@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studies/statistics/study_text.hpp"
 
-#include <twum/studies/problem/tolerance.hpp>
+#include <twum/studies/tolerance.hpp>
 
 #include <catch2/catch.hpp>
 

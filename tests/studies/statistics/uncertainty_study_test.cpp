@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "files/statistics/coverage.hpp"
+#include "studies/statistics/coverage.hpp"
 #include "studies/statistics/study_text.hpp"
 
 #include <catch2/catch.hpp>

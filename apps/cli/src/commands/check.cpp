@@ -6,10 +6,10 @@
 #include "options.hpp"
 #include "output.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/settings.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -6,10 +6,10 @@
 #include "output.hpp"
 #include "text_table.hpp"
 
-#include <twum/studies/results/comparison.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+#include <twum/studies/comparison.hpp>
 
 #include <CLI/CLI.hpp>
 

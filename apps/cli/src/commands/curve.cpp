@@ -12,11 +12,11 @@
 #include "slice_comparison.hpp"
 #include "text_table.hpp"
 
-#include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/motor/curve_points.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/curve_points.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -7,7 +7,7 @@
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/report/datasheet.hpp>
+#include <twum/studies/datasheet.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -10,10 +10,10 @@
 #include "progress.hpp"
 
 #include <twum/base/ordered.hpp>
-#include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/tables/design_table.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/design_table.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -7,8 +7,8 @@
 #include "options.hpp"
 #include "output.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/report/designer.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/studies/designer.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -11,11 +11,11 @@
 #include "plot/fields_plot.hpp"
 #include "text_table.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -11,10 +11,10 @@
 #include "plot/frequency_plot.hpp"
 #include "text_table.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/studies/motor/frequency_points.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/frequency_points.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -6,9 +6,9 @@
 #include "options.hpp"
 #include "output.hpp"
 
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/schema/publish.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/io/publish.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -5,11 +5,11 @@
 #include "listing.hpp"
 #include "output.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/schema/schema.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/schema.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -6,8 +6,8 @@
 #include "listing.hpp"
 #include "output.hpp"
 
-#include <twum/studies/materials/catalogue.hpp>
-#include <twum/studies/text/number.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/catalogue.hpp>
 
 #include <CLI/CLI.hpp>
 

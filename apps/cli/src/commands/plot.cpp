@@ -7,7 +7,7 @@
 #include "plot/study/pictures.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/run/stored_result.hpp>
+#include <twum/studies/stored_result.hpp>
 
 #include <CLI/CLI.hpp>
 

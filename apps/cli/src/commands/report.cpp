@@ -5,7 +5,7 @@
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/report/report.hpp>
+#include <twum/studies/report.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -8,9 +8,9 @@
 #include "progress.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/run/processes.hpp>
-#include <twum/studies/run/run_study.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/processes.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -12,10 +12,10 @@
 #include "plot/stator_plot.hpp"
 #include "text_table.hpp"
 
-#include <twum/core/performance/equivalent_circuit.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/words.hpp>
 
 #include <CLI/CLI.hpp>
 

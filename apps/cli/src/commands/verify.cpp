@@ -5,9 +5,9 @@
 #include "options.hpp"
 #include "output.hpp"
 
-#include <twum/studies/run/verify_study.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+#include <twum/studies/verify_study.hpp>
 
 #include <CLI/CLI.hpp>
 

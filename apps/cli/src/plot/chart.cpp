@@ -4,7 +4,7 @@
 #include "plot/panel_scale.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 
 #include "plot/style.hpp"
 
-#include <twum/core/performance/metrics.hpp>
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/curve_points.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/curve_points.hpp>
 
 #include <algorithm>
 #include <array>

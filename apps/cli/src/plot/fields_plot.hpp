@@ -3,8 +3,8 @@
 
 #include "plot/gnuplot.hpp"
 
-#include <twum/core/performance/motor.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <string>
 

@@ -3,8 +3,8 @@
 
 #include "plot/gnuplot.hpp"
 
-#include <twum/core/performance/frequency_response.hpp>
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/core/frequency_response.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <optional>
 #include <vector>

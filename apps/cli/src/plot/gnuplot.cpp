@@ -5,8 +5,8 @@
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
 
 #include <spawn.h>
 #include <sys/wait.h>

@@ -3,8 +3,8 @@
 
 #include "plot/chart.hpp"
 
-#include <twum/studies/statistics/extent.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/studies/extent.hpp>
 
 #include <cstddef>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "plot/style.hpp"
 
-#include <twum/core/design/plate.hpp>
+#include <twum/core/plate.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "plot/gnuplot.hpp"
 
-#include <twum/studies/motor/motor_file.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <string>
 

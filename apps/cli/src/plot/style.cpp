@@ -3,7 +3,7 @@
 
 #include "plot/gnuplot.hpp"
 
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/motors/motor_file.hpp>
 
 #include <array>
 #include <numbers>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/certificate.hpp>
+#include <twum/optim/options.hpp>
 
 namespace twum::optim {
 

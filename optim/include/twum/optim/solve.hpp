@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/optim/certify.hpp>
 #include <twum/optim/result.hpp>
 
 namespace twum::optim {

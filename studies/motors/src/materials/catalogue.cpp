@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/materials/catalogue.hpp>
+#include <twum/motors/catalogue.hpp>
 
 #include "materials/embedded.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
-#include <twum/studies/yaml/loader.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/io/yaml_loader.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/circuit_quantity.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/equivalent_circuit.hpp>
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <array>
 #include <cmath>

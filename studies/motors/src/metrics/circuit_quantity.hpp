@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <optional>
 #include <string_view>

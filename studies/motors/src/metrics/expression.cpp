@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/expression.hpp>
+#include <twum/motors/expression.hpp>
 
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <array>

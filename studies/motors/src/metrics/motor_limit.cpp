@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/motor_limit.hpp>
+#include <twum/motors/motor_limit.hpp>
 
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cmath>

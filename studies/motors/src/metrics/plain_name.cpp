@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/plain_name.hpp>
+#include <twum/motors/plain_name.hpp>
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/reasons.hpp>
+#include <twum/motors/reasons.hpp>
 
 namespace twum::studies {
 

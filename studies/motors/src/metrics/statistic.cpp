@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/statistic.hpp>
+#include <twum/motors/statistic.hpp>
 
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/varied_parameters.hpp>
+#include <twum/motors/varied_parameters.hpp>
 
 #include <twum/base/error.hpp>
-#include <twum/core/design/plate.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/core/plate.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <string>

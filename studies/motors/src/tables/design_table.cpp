@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/motors/design_table.hpp>
 
 #include "tables/parameter_heading.hpp"
 
-#include <twum/studies/motor/settings.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "motor/worst_notes.hpp"
+#include "file/worst_notes.hpp"
 
 #include <twum/base/ordered.hpp>
-#include <twum/studies/tables/design_table.hpp>
+#include <twum/motors/design_table.hpp>
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include "tables/parameter_heading.hpp"
 
-#include <twum/studies/text/value_error.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <optional>

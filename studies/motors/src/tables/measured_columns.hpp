@@ -3,8 +3,8 @@
 
 #include "tables/measured_points.hpp"
 
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/units/units.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/units.hpp>
 
 #include <string>
 #include <vector>

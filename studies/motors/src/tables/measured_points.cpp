@@ -4,9 +4,9 @@
 #include "tables/measured_columns.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/tables/csv.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/csv.hpp>
+#include <twum/io/diagnostics.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cstring>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/diagnostics/source.hpp>
+#include <twum/io/source.hpp>
 
 #include "metrics/circuit_quantity.hpp"
 
-#include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <string>
 #include <utility>

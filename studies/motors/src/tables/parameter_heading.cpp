@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables/parameter_heading.hpp"
 
-#include <twum/studies/text/words.hpp>
+#include <twum/io/words.hpp>
 
 namespace twum::studies {
 

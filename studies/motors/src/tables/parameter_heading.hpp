@@ -3,7 +3,7 @@
 
 #include "tables/heading.hpp"
 
-#include <twum/core/design/parameters.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <optional>
 #include <string>

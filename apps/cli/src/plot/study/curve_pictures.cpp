@@ -6,7 +6,7 @@
 #include "plot/style.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/motor/curve_points.hpp>
+#include <twum/motors/curve_points.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ void add_squeals(Panel& panel, const std::vector<NamedMotor>& motors) {
     for (const std::vector<double>& row : panel.series[i].rows) {
       const bool here =
           studies::squeals(motor.design(), motor.backward_wave(row[0])).value_or(false);
-      const auto [below, above] = band_about(here ? row[1] : studies::kNoValue, largest);
+      const auto [below, above] = band_about(here ? row[1] : kNoValue, largest);
       band.rows.push_back({row[0], below, above});
       any = any || here;
     }

@@ -2,7 +2,7 @@
 #include "plot/study/kinds.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace {
 struct Bar {
   std::string name;
   double value;
-  double inner{studies::kNoValue};
-  double low{studies::kNoValue};
-  double high{studies::kNoValue};
+  double inner{kNoValue};
+  double low{kNoValue};
+  double high{kNoValue};
 };
 
 Bar bar_of(const std::string& name, const studies::SobolShares& effect) {
@@ -24,7 +24,7 @@ Bar bar_of(const std::string& name, const studies::SobolShares& effect) {
           effect.total.high};
 }
 Bar bar_of(const std::string& name, const studies::ElementaryEffect& effect) {
-  return {name, effect.mu_star.value, studies::kNoValue, effect.mu_star.low, effect.mu_star.high};
+  return {name, effect.mu_star.value, kNoValue, effect.mu_star.low, effect.mu_star.high};
 }
 Bar bar_of(const std::string& name, const studies::LocalEffect& effect) {
   return {name, effect.elasticity};

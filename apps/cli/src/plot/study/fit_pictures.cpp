@@ -2,10 +2,10 @@
 #include "plot/study/kinds.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
-#include <twum/studies/results/fit_curves.hpp>
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/plain_name.hpp>
+#include <twum/studies/fit_curves.hpp>
 
 #include <algorithm>
 #include <cmath>

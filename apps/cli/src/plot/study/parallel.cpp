@@ -4,8 +4,8 @@
 #include "plot/panel_scale.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/text/number.hpp>
-#include <twum/studies/text/words.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "plot/frequency_plot.hpp"
 #include "plot/study/kinds.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
-#include <twum/studies/units/engineering.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <variant>
 

@@ -3,9 +3,9 @@
 
 #include "plot/chart.hpp"
 
-#include <twum/studies/results/study_result.hpp>
-#include <twum/studies/store/result_store.hpp>
-#include <twum/studies/study/study_file.hpp>
+#include <twum/io/result_store.hpp>
+#include <twum/studies/study_file.hpp>
+#include <twum/studies/study_result.hpp>
 
 #include <string>
 #include <vector>

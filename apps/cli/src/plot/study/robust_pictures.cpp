@@ -2,8 +2,8 @@
 #include "plot/study/kinds.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/motor_limit.hpp>
-#include <twum/studies/metrics/plain_name.hpp>
+#include <twum/motors/motor_limit.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <algorithm>
 #include <cmath>

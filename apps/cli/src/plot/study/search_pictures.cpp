@@ -4,7 +4,7 @@
 #include "plot/study/stored_rows.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +72,9 @@ void add_history(std::vector<Picture>& pictures, const FinishedStudy& study,
   Series outside{"breaks a limit", Draw::dots, "#BBBBBB", {}};
   Series inside{"keeps every limit", Draw::dots, colour::kGreen, {}};
   Series best{"best so far", Draw::steps, colour::kBlue, {}};
-  std::vector<double> record(values.size(), studies::kNoValue);
+  std::vector<double> record(values.size(), kNoValue);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double before = i > 0 ? record[i - 1] : studies::kNoValue;
+    const double before = i > 0 ? record[i - 1] : kNoValue;
     const bool better = keeps[i] && std::isfinite(values[i]) &&
                         !(answer.goal.maximize ? values[i] <= before : values[i] >= before);
     record[i] = better ? values[i] : before;
@@ -117,7 +117,7 @@ std::vector<studies::MotorLimit> limits_of(const studies::Study& asked) {
 double value_of(const std::vector<NamedValue>& values, const std::string& name) {
   for (const NamedValue& one : values)
     if (one.name == name) return one.value;
-  return studies::kNoValue;
+  return kNoValue;
 }
 
 // What a point is on its front, such as "largest peak power, knee"; empty for the others.

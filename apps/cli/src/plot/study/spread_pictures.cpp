@@ -4,8 +4,8 @@
 #include "plot/study/stored_rows.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
-#include <twum/studies/text/number.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/plain_name.hpp>
 
 #include <algorithm>
 #include <cmath>

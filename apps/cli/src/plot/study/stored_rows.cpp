@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/stored_rows.hpp"
 
+#include <twum/motors/plain_name.hpp>
 #include <twum/optim/random.hpp>
-#include <twum/studies/metrics/plain_name.hpp>
 
 #include <algorithm>
 

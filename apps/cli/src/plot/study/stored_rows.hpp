@@ -3,7 +3,7 @@
 
 #include "plot/chart.hpp"
 
-#include <twum/studies/store/result_store.hpp>
+#include <twum/io/result_store.hpp>
 
 #include <optional>
 #include <string>

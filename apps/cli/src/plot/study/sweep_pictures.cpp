@@ -4,8 +4,8 @@
 #include "plot/study/stored_rows.hpp"
 #include "plot/style.hpp"
 
-#include <twum/studies/metrics/plain_name.hpp>
-#include <twum/studies/statistics/extent.hpp>
+#include <twum/motors/plain_name.hpp>
+#include <twum/studies/extent.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace twum {
+
+/// A number that is not known or not defined.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace twum

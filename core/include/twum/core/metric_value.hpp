@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace twum {
+
+/// Every metric of a motor; definitions in theory section 7.
+enum class Metric : unsigned char {
+  stall_torque,
+  max_torque,
+  holding_torque,
+  no_load_speed,
+  plateau_speed,
+  peak_power,
+  speed_at_peak_power,
+  torque_at_peak_power,
+  contact_efficiency_at_peak_power,
+  max_efficiency,
+  speed_at_max_efficiency,
+  contact_half_length,
+  contact_ratio,
+  max_pressure,
+  layer_aspect,
+  pressure_nonuniformity,
+  max_overall_efficiency,
+  speed_at_max_overall_efficiency,
+  pull_out_torque,
+  start_voltage,
+  hold_voltage,
+  start_frequency,
+  pull_out_frequency,
+  loaded_resonance,
+  coupling_factor,
+  capacitance_ratio,
+  mode_separation,
+  ceramic_stress,
+  torque_at,
+  speed_at,
+  output_power_at,
+  stator_power_at,
+  friction_power_at,
+  layer_loss_at,
+  efficiency_at,
+  contact_efficiency_at,
+  wear_intensity_at,
+  stick_fraction_at,
+  amplitude_at,
+  phase_lag_at,
+  electrical_power_at,
+  overall_efficiency_at,
+  phase_current_at,
+  power_factor_at,
+  backward_ratio_at,
+  squeal_rate_at,
+  sensor_voltage_at,
+  sensor_phase_at
+};
+
+/// Argument that a metric takes.
+enum class Argument : unsigned char {
+  none,            ///< nothing: a number of the motor, such as stall_torque
+  speed,           ///< a rotor speed [rad/s]
+  torque,          ///< a load torque [N m]
+  speed_or_torque  ///< either; only in the table, never in a request
+};
+
+/// Whether a metric has a value.
+enum class MetricStatus : unsigned char {
+  ok,
+  /// not defined for this motor: it has no stall torque, no stator damping, or no input power
+  undefined,
+  unreachable,        ///< the motor cannot carry the torque asked for
+  no_periodic_state,  ///< needs a point without a periodic state
+  not_converged,      ///< needs a point that did not converge
+  resonance,          ///< needs a point at an undamped resonance
+  unresolved,         ///< needs a point with too many zones
+  /// needs a point where rounding errors violate a law of the model, or a value is not finite
+  inaccurate,
+  out_of_range,        ///< asked at a speed at or below the negative wave speed
+  pulled_out,          ///< under the voltage there is no running wave at the speed that is needed
+  no_running_branch,   ///< under the voltage there is no running wave at any speed
+  no_dead_branch,      ///< the motor starts by itself
+  unstable_amplitude,  ///< needs a wave that is not stable
+  /// the model of the backward wave does not cover stick in a layer with damping or inertia, or with mu_0 > mu
+  backward_wave_unknown,
+  does_not_pull_out  ///< the running wave exists down to rest
+};
+
+/// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.
+const char* to_string(MetricStatus status) noexcept;
+
+/// A metric's value in SI units; NaN unless status is ok.
+struct MetricValue {
+  double value{0};                        ///< in the unit of its row
+  MetricStatus status{MetricStatus::ok};  ///< ok, or why there is no value
+};
+
+/// What a gradient can be used for.
+enum class Smoothness : unsigned char {
+  smooth,  ///< an ordinary derivative
+  /// the derivative is exactly zero in amplitude, thickness and so on: the value lies on a plateau
+  flat,
+  one_sided,  ///< at a kink or jump: the derivative of the branch on which the value lies
+  undefined   ///< no derivative; entries are NaN
+};
+
+/// "smooth", "flat", "one-sided" or "undefined"; static lifetime.
+const char* to_string(Smoothness smoothness) noexcept;
+
+}  // namespace twum

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/metric_value.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace twum {
+
+/// Rows of the metric table.
+inline constexpr std::size_t kMetricCount = 48;
+
+/// One row of the metric table.
+struct MetricInfo {
+  Metric metric;               ///< whose row it is
+  std::string_view name;       ///< as in studies, such as "torque_at"
+  std::string_view unit;       ///< SI unit, "1" if dimensionless
+  Argument argument;           ///< what it takes
+  std::string_view text;       ///< what it is, in one line
+  bool needs_modes{false};     ///< has a value only where the design has modal data of the stator
+  bool needs_geometry{false};  ///< has a value only where the stator is given by its geometry
+};
+
+/// The table, one row for each Metric, in its order; static lifetime.
+std::span<const MetricInfo> metric_table();
+
+/// The row of a metric; static lifetime.
+const MetricInfo& info(Metric metric);
+
+/// The metric with a name such as "torque_at", if there is one.
+std::optional<Metric> find_metric(std::string_view name);
+
+/// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
+/// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed.
+struct MetricRequest {
+  Metric metric{Metric::stall_torque};  ///< what is asked
+  Argument argument{Argument::none};    ///< what `at` is
+  double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
+};
+
+/// A metric with its derivatives with respect to every parameter, in SI units.
+///
+/// gradient[index_of(p)] is the derivative with the other parameters in use held fixed. Parameters that follow from p
+/// move with it: E moves G, gamma; h moves m; mu moves mu_0 in proportion (set `fixed_static_friction` to hold mu_0).
+/// It is 0 for a parameter that is not in use (in_use()).
+struct MetricDerivative {
+  MetricValue value;                               ///< bit for bit that of evaluate()
+  std::array<double, kParameterCount> gradient{};  ///< SI; NaN where undefined
+  Smoothness smoothness{Smoothness::smooth};       ///< what the gradient can be used for
+};
+
+/// Derivatives of an operating point with respect to the rotor speed. SI units.
+struct SpeedDerivative {
+  OperatingPoint point;                       ///< the point itself
+  double torque{0};                           ///< dT / dOmega [N m s]
+  double output_power{0};                     ///< [W s]
+  double stator_power{0};                     ///< [W s]
+  double friction_power{0};                   ///< [W s]
+  double layer_loss{0};                       ///< [W s]
+  double stick_fraction{0};                   ///< [s]
+  Smoothness smoothness{Smoothness::smooth};  ///< what the derivatives can be used for
+};
+
+/// Operating point with its derivatives in speed; NaN and `undefined` where the point has no answer. `smooth` means
+/// that no zone appears or vanishes within 1e-9 of the crest speed, or that the layer is elastic with mu_0 = mu,
+/// where a zone that appears or vanishes leaves the derivative continuous. About five times the cost of the point.
+/// @param speed  rotor speed [rad/s], > -motor.wave_speed().
+/// @throws InputError as Motor::operating_point.
+SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
+
+/// Metrics of a motor as T7.1 to T7.18 define them, in the order asked. Work shared by several metrics is done once.
+/// About 30 microseconds for all metrics without argument, a microsecond for a point metric at a speed; about 300
+/// microseconds where mu_0 > mu. No argument makes it throw: a speed at or below -motor.wave_speed() gives the status
+/// out_of_range, a torque that the motor cannot carry gives unreachable. Continuous in the parameters except for
+/// jumps where mu_0 > mu; a track that `auto` splits there (W4.5) has none. differentiate() returns the smoothness.
+/// @{
+std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests);
+MetricValue evaluate(const Motor& motor, const MetricRequest& request);
+/// @}
+
+/// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at every root. All
+/// derivatives of all metrics together cost about 2.6 times the metrics alone. No argument makes it throw, as for
+/// evaluate(). For the number of wavelengths of a motor with a geometry, and for radii of its plate that coincide,
+/// see parameter_jacobian().
+/// @param fixed_static_friction  mu_0 stays where it is when mu moves; otherwise it keeps its ratio
+std::vector<MetricDerivative> differentiate(const Motor& motor,
+                                            std::span<const MetricRequest> requests,
+                                            bool fixed_static_friction = false);
+
+/// A point metric, or speed_at, at a load that is a fixed share of the motor's largest torque, so that the load moves
+/// with the design. An optimizer that has left the region of motors that carry a fixed load still gets finite
+/// numbers. The status is `unreachable` if the motor has no torque at all.
+/// @param share  of the largest torque [1], more than 0 and below 1
+/// @{
+MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share);
+MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
+                                        bool fixed_static_friction = false);
+/// @}
+
+}  // namespace twum

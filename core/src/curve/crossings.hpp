@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/scan.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// A speed where the torque takes a value.
+struct Crossing {
+  double speed{0};
+  /// It has no slope there to tell how the speed moves: a jump, or a maximum.
+  bool slopeless{false};
+};
+
+/// Where the torque falls through a value, and where it leaves its plateau. Each is found once and kept.
+class CurveCrossings {
+ public:
+  CurveCrossings(CurvePoints& points, CurveScan& scan) : points_(points), scan_(scan) {}
+
+  Crossing no_load();    ///< (T7.14)
+  double plateau_end();  ///< (T7.17)
+
+  /// Points of the scan up to no-load, the last one there.
+  std::vector<CurvePoint> working_nodes();
+  /// Where the torque falls through a value between two points, of which the slower one carries it.
+  Crossing falls_through(double torque, const CurvePoint& low, const CurvePoint& high);
+  /// True if the curve has a plateau that ends at this speed.
+  bool leaves_plateau_at(double speed);
+
+ private:
+  std::optional<double> zero_of_falling();
+  CurvePoint answered_beside(double speed) const;
+  std::optional<double> zero_near(double torque, const CurvePoint& low, const CurvePoint& high);
+  double margin_end(double low, double high) const;
+  double just_before(double end) const;
+  bool on_plateau(double speed) const;
+  double last_on_plateau(double low, double high) const;
+
+  CurvePoints& points_;
+  CurveScan& scan_;
+  std::optional<Crossing> no_load_;
+  std::optional<double> plateau_end_;
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/crossings.hpp"
+#include "curve/goal.hpp"
+#include "curve/stretches.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// Search for the largest value of a goal where torque may jump: every stretch with the same sequence of zones, or without
+/// a periodic state, is taken by itself, its ends located by halving.
+class JumpingPeakSearch {
+ public:
+  JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings,
+                    CurveStretches& stretches)
+      : goal_(goal, points), points_(points), crossings_(crossings), stretches_(stretches) {}
+
+  Peak find();
+
+ private:
+  bool is_gap(const Stretch& stretch) const;
+  bool may_have_peaks(const Stretch& stretch) const;
+  std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
+  std::optional<Peak> peak_between(double low, double high);
+  Peak named(Peak peak);
+
+  GoalCurve goal_;
+  CurvePoints& points_;
+  CurveCrossings& crossings_;
+  CurveStretches& stretches_;
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/points.hpp"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// Points of the curve from its beginning to the first one past no-load: between which of them to look for what is
+/// searched. Between two neighbours torque is taken to have no more than one maximum (with mu_0 > mu: one in each stretch
+/// with the same sequence of zones).
+class CurveScan {
+ public:
+  static constexpr int kIntervals = 20;      ///< between the beginning and the crest speed
+  static constexpr double kAccuracy = 1e-7;  ///< of the points
+
+  explicit CurveScan(CurvePoints& points) : points_(points), walk_(points) {}
+
+  /// The first point that the metrics look at: the beginning of the curve. If the curve begins above rest with a negative torque,
+  /// it is where the torque rises through zero. @throws SearchFailure if it has no answer
+  const CurvePoint& first();
+  /// The torque there is positive.
+  bool drives() { return first().torque > 0; }
+  /// @throws SearchFailure (undefined) unless it drives
+  void require_drive();
+  /// The whole contact slips and drives there.
+  bool starts_on_plateau() { return first().plateau; }
+
+  /// From the first to the first whose torque is not positive. Those without an answer, as layers without damping or with
+  /// mu_0 > mu may have, are left out as long as they do not follow one another.
+  /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
+  const std::vector<CurvePoint>& nodes();
+
+  /// Speeds among the nodes, once these are found, without a periodic state.
+  const std::vector<double>& gaps() const { return gaps_; }
+
+  /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan.
+  bool falls_smoothly() const;
+  /// A point as good as a node: exact only where its sign is in doubt.
+  CurvePoint node(double speed, Walk& walk);
+  /// A node's torque is so close to a value that its accuracy counts.
+  /// @param excess  of the torque over the value [N m]
+  bool in_doubt(double excess) const;
+
+  /// The torque has ripples that the nodes are too far apart to tell.
+  bool ripples() const;
+  /// Points between a node and the next that tell ripples, as good as the nodes: only good enough to say where to look. Those
+  /// without an answer are left out.
+  const std::vector<CurvePoint>& rippled(const CurvePoint& low, const CurvePoint& high);
+
+ private:
+  double step() const;
+  const CurvePoint& on_grid(int k);
+  CurvePoint checked(CurvePoint node, Walk& walk);
+  void run();
+  CurvePoint first_that_drives(const CurvePoint& begin);
+  CurvePoint just_beyond(double zero);
+  void skip_plateau();
+
+  CurvePoints& points_;
+  std::vector<CurvePoint> nodes_;
+  std::vector<double> gaps_;
+  std::map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
+  Walk walk_;
+  std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below
+  std::optional<MetricStatus> failure_;
+  bool done_{false};
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/points.hpp"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace twum::performance {
+
+/// A part of the curve with the same sequence of zones and without a jump, if there were not too many to tell apart; or a
+/// part without a periodic state.
+struct Stretch {
+  CurvePoint first, last;
+  std::vector<double>
+      inside;  ///< speeds between, so close that torque is steady between neighbours
+};
+
+/// Where torque may jump, as with mu_0 > mu, searches take the curve apart into stretches over which it does not, once for all of
+/// them.
+class CurveStretches {
+ public:
+  static constexpr double kInset =
+      1e-7;  ///< share of a stretch at its ends, which stand for themselves
+  static constexpr double kWorth = 0.7;  ///< share of a value above which jumps nearby may pass it
+  static constexpr double kGap =
+      1e-4;  ///< of the crest speed: fewer speeds without a periodic state, as at a jump, hide nothing
+
+  explicit CurveStretches(CurvePoints& points) : points_(points), halving_(points) {}
+
+  /// What lies between two points, cut where the sequence of zones changes and where the torque jumps.
+  /// @throws SearchFailure if the search takes too long
+  const std::vector<Stretch>& between(const CurvePoint& low, const CurvePoint& end);
+
+ private:
+  std::vector<Stretch> found_between(const CurvePoint& low, const CurvePoint& end);
+  std::vector<CurvePoint> steady_between(const CurvePoint& low, const CurvePoint& high);
+  bool is_steady(const CurvePoint& low, const CurvePoint& high);
+  std::pair<double, double> change_of_slices(const CurvePoint& low, const CurvePoint& end);
+  std::pair<CurvePoint, CurvePoint> stretch_end(const CurvePoint& low, const CurvePoint& end);
+  CurvePoint past_jump(const CurvePoint& end, double inside);
+  bool are_neighbours(double low, double high) const;
+
+  CurvePoints& points_;
+  Halving halving_;
+  std::map<std::pair<double, double>, std::vector<Stretch>> known_;  // by the speeds of both points
+};
+
+}  // namespace twum::performance

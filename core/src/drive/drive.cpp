@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/drive.hpp"
+
+#include "point/slice_count.hpp"
+
+namespace twum::performance {
+namespace {
+
+// The number of slices for `auto` follows from the motor under the wave of one slice at first_speed(), which is near enough
+// to that of the track.
+TrackRule track_of(const MotorDesign& design) {
+  if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
+  constexpr int kWithoutWave = -8;
+  const double amplitude = Drive(with(design, Parameter::radial_slices, 1)).first_motor().amplitude;
+  if (!(amplitude > 0)) return track_rule(with(design, Parameter::radial_slices, kWithoutWave));
+  MotorDesign given = design;  // the amplitude may exceed the range of the parameter
+  given.stator.voltage.reset();
+  given.stator.amplitude = amplitude;
+  return track_rule(given);
+}
+
+}  // namespace
+
+Drive::Drive(const MotorDesign& design)
+    : asked_(design.stator.branch),
+      waves_(waves_of(design)),
+      branch_(followed(ForceLine(waves_, 0))) {}
+
+// Keeps what others ask of H at rest.
+RunningBranch Drive::followed(const ForceLine& at_rest) {
+  extrema_ = at_rest.extrema();
+  at_rest_ = at_rest.largest_held();
+  return {waves_, at_rest, largest_at_rest(), asked_ == Branch::dead};
+}
+
+std::vector<WaveSolution> Drive::solutions(double speed) const {
+  std::vector<WaveSolution> found = ForceLine(waves_, speed).solutions();
+  for (WaveSolution& s : found)
+    if (const auto runs = branch_.runs(speed, s.wave().amplitude)) s.named_running = runs;
+  return found;
+}
+
+DrivenWaves Drive::waves_of(const MotorDesign& design) { return {design, track_of(design)}; }
+
+double Drive::begin() const {
+  return asked_ == Branch::running && branch_.exists() ? branch_.first().parameter : 0;
+}
+
+DrivenMotor<double> Drive::first_motor() const {
+  if (asked_ == Branch::running && branch_.exists()) return waves_.motor(branch_.first().amplitude);
+  const std::vector<WaveSolution> at_rest = solutions(0);
+  if (at_rest.empty()) return waves_.motor(branch_.exists() ? branch_.first().amplitude : 0);
+  const WaveSolution& chosen = asked_ == Branch::dead ? at_rest.front() : at_rest.back();
+  return waves_.motor(chosen.wave().amplitude);
+}
+
+MotorPoint Drive::at(double speed) const { return branch_.at(speed, asked_ == Branch::running); }
+
+}  // namespace twum::performance

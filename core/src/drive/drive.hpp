@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drive/running_branch.hpp"
+
+#include <twum/core/operating_point.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// A motor whose wave follows from voltage and load. Immutable.
+class Drive {
+ public:
+  /// @param design  an admissible design with a voltage
+  explicit Drive(const MotorDesign& design);
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
+
+  /// The waves of a design, with the number of slices that `auto` finds.
+  static DrivenWaves waves_of(const MotorDesign& design);
+
+  /// The point on the branch that the design asks for; its status says why there is none.
+  MotorPoint at(double speed) const;
+  /// Every wave that the voltage holds at a speed, stable or not, the smallest first.
+  std::vector<WaveSolution> solutions(double speed) const;
+
+  /// The curve is the running branch.
+  bool runs() const { return asked_ == Branch::running; }
+  /// Smallest speed of the curve [rad/s]; 0 is rest.
+  double begin() const;
+  /// The motor under the wave at the beginning of the curve, or under the largest wave at rest if there is no curve.
+  DrivenMotor<double> first_motor() const;
+
+  const DrivenWaves& waves() const { return waves_; }
+  /// Extrema of H at rest.
+  const std::vector<ForceExtremum>& extrema() const { return extrema_; }
+  /// The largest wave at rest, null if there is none.
+  const CurveNode* largest_at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
+  const RunningBranch& branch() const { return branch_; }
+
+ private:
+  RunningBranch followed(const ForceLine& at_rest);
+
+  Branch asked_;
+  DrivenWaves waves_;
+  std::vector<ForceExtremum> extrema_;
+  std::optional<CurveNode> at_rest_;
+  RunningBranch branch_;
+};
+
+}  // namespace twum::performance

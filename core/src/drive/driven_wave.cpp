@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/driven_wave.hpp"
+
+#include "design/layer_properties.hpp"
+#include "model/track.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace twum::performance {
+namespace {
+
+using contact::kInAmplitude;
+using contact::kInSpeed;
+using contact::MotionDual;
+
+ModelArray<MotionDual> constants(const ModelArray<double>& values) {
+  ModelArray<MotionDual> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = MotionDual(values[i]);
+  return p;
+}
+
+// The model needs an amplitude, but does not depend on its value.
+ModelArray<double> wave_values(const MotorDesign& design) {
+  ModelArray<double> values = model_values(design);
+  values[model_index(Parameter::amplitude)] = 1e-6;
+  return values;
+}
+
+StatorModes<double> modes_of(const MotorDesign& design) {
+  const auto modes = stator_modes(design);
+  TWUM_ASSERT(modes.has_value());
+  return *modes;
+}
+
+// Theta u_f (D6.1) [N]; zero without a voltage.
+double drive_force(const MotorDesign& design) {
+  const StatorModes<double> modes = modes_of(design);
+  return std::numbers::sqrt2 * design.stator.voltage.value_or(0) * modes.force_factor *
+         modes.unequal.share();
+}
+
+// k of (D2.10). A table's spline may be slightly larger between the sampled radii.
+double reach_of(const MotorModel<double>& m) {
+  if (m.track.nodes == 1) return 1;
+  constexpr int kLooks = 64;
+  constexpr double kAboveLooks = 1.1;
+  const double inner = m.r - 0.5 * m.b;
+  double most = 0;
+  for (int i = 0; i <= kLooks; ++i)
+    most = std::max(most, std::fabs(1 + shape_excess(m, inner + m.b * i / kLooks)));
+  return kAboveLooks * most * m.r / inner;
+}
+
+}  // namespace
+
+DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
+    : model_(motor_model(wave_values(design), track)),
+      dual_model_(motor_model(constants(wave_values(design)), track)),
+      modes_(modes_of(design)),
+      drive_(drive_force(design)),
+      omega_(2 * std::numbers::pi * drive_frequency(design)),
+      reach_(reach_of(model_)) {
+  if (in_use(design, Parameter::loss_factor)) loss_factor_ = design.layer.loss_factor;
+}
+
+DrivenWaves DrivenWaves::at_frequency(double omega) const {
+  DrivenWaves other = *this;
+  other.omega_ = omega;
+  if (!loss_factor_) return other;
+  other.model_.viscosity = shear_viscosity_of(*loss_factor_, model_.shear, omega);
+  other.dual_model_.viscosity = MotionDual(other.model_.viscosity);
+  return other;
+}
+
+DrivenWave DrivenWaves::wave_of(const SolvedPoint& point, double amplitude, double speed) const {
+  const WarmStart start = point.start();
+  const long slices = static_cast<long>(start.size());
+  return {amplitude,           speed, balance(point.numbers, amplitude),
+          point.status,        start, point.zones_followed() / slices,
+          point.numbers.torque};
+}
+
+DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* guess,
+                           double accuracy) const {
+  return wave_of(solve_point(motor(amplitude), speed, guess, accuracy), amplitude, speed);
+}
+
+// The viscosity of a loss factor goes with 1 / omega.
+DrivenMotor<MotionDual> DrivenWaves::moving_motor(const MotionDual& amplitude,
+                                                  const MotionDual& omega) const {
+  if (!loss_factor_ || omega.d[kInSpeed] == 0) return driven(dual_model_, {amplitude, omega});
+  MotorModel<MotionDual> model = dual_model_;
+  model.viscosity.d[kInSpeed] = -model.viscosity.v / omega.v;
+  return driven(model, {amplitude, omega});
+}
+
+DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amplitude,
+                                            double speed, Continued along) const {
+  const bool in_frequency = along == Continued::frequency;
+  const MotionDual a = MotionDual::variable(amplitude, kInAmplitude),
+                   omega =
+                       in_frequency ? MotionDual::variable(omega_, kInSpeed) : MotionDual(omega_);
+  MovingPoint moving =
+      point.moving(moving_motor(a, omega),
+                   in_frequency ? MotionDual(speed) : MotionDual::variable(speed, kInSpeed));
+  const PointNumbers<MotionDual>& n = moving.numbers;
+  return {
+      n, std::move(moving.states), a,
+      wave_balance(constant_modes<MotionDual>(modes_), a, omega, n.reactive_force, n.stator_power)};
+}
+
+double DrivenWaves::MovingWave::amplitude_per_speed() const {
+  const MotionDual square = balance.real * balance.real + balance.imaginary * balance.imaginary;
+  return -square.d[kInSpeed] / square.d[kInAmplitude];
+}
+
+DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
+                                             double accuracy, const SolvedPoint* near,
+                                             Continued along) const {
+  LevelSlopes s;
+  s.solved = near && near->jumps()
+                 ? solve_point_near(motor(amplitude), speed, *near, guess ? *guess : near->start())
+                 : solve_point(motor(amplitude), speed, guess, accuracy);
+  SlopedWave& a = s.in_amplitude;
+  a.wave = wave_of(s.solved, amplitude, speed);
+  if (a.wave.status != PointStatus::ok) return s;
+  MovingWave w = moving(s.solved, amplitude, speed, along);
+  const MotionDual& torque = w.numbers.torque;
+  a.slope = {w.balance.real.d[kInAmplitude], w.balance.imaginary.d[kInAmplitude]};
+  a.torque_slope = torque.d[kInAmplitude];
+  s.force_per_speed =
+      (w.balance.real * w.balance.real + w.balance.imaginary * w.balance.imaginary).d[kInSpeed] /
+      (2 * a.wave.force());
+  s.amplitude_per_speed = w.amplitude_per_speed();
+  s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
+  s.numbers = w.numbers, s.states = std::move(w.states);
+  return s;
+}
+
+Stability DrivenWaves::stability(const SlopedWave& w) const {
+  const double rate = 2 * omega_ * modes_.mass, a = w.wave.amplitude;
+  return {w.fold() / (a * rate * rate),
+          -(w.wave.balance.imaginary + a * w.slope.imaginary) / (rate * a)};
+}
+
+double DrivenWaves::full_contact_amplitude() const {
+  return model_.preload * model_.thickness /
+         (2 * std::numbers::pi * model_.r * model_.b * model_.youngs);
+}
+
+double DrivenWaves::contact_stiffness() const {
+  // Of an annulus pi R^2 rho / h over its width: the mean of rho is r.
+  const double track = reach_ * reach_ * std::numbers::pi * model_.r * model_.b / model_.thickness;
+  const double inertia = model_.inertia * omega_ * omega_, damping = model_.viscosity * omega_;
+  return track *
+         (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/force_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace twum::performance {
+namespace {
+
+// Amplitudes beyond those of any motor [m]: where the bounds are infinite, without damping or preload.
+constexpr double kLargest = 1, kSmallest = 1e-30;
+
+// Beyond the backbone, where R stays negative, both |R| and I grow.
+double highest_extremum(const DrivenWaves& waves) {
+  const double softness = -dynamic_stiffness(waves.modes(), waves.omega());
+  return softness > 0 ? 2 * (waves.pressure_bound() + waves.traction_bound()) / softness : 0;
+}
+
+double highest(const DrivenWaves& waves) {
+  return std::fmin(std::fmax(highest_extremum(waves), largest_amplitude(waves)), kLargest);
+}
+
+// The contact is full and H is proportional to the amplitude up to here, or what bends it is no extremum.
+double lowest(const DrivenWaves& waves) {
+  const double high = highest(waves), full = waves.full_contact_amplitude();
+  const double low = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
+  return std::fmax(std::fmin(low, 1e-3 * high), kSmallest);
+}
+
+PlaneRange range_of(double low, double high) {
+  return {{std::log(low), -HUGE_VAL}, {std::log(high), HUGE_VAL}};
+}
+
+// What the slopes of two neighbours do not explain of the change of ln H.
+double unexplained(const CurveNode& a, const CurveNode& b) {
+  return std::fabs(b.at.y - a.at.y - 0.5 * (a.rise + b.rise) * (b.at.x - a.at.x));
+}
+
+bool jumps(const CurveNode& a, const CurveNode& b) { return a.jump && b.jump; }
+
+}  // namespace
+
+double largest_amplitude(const DrivenWaves& w) {
+  const StatorModes<double>& m = w.modes();
+  const double damped = (w.drive() + w.traction_bound()) / (w.omega() * m.damping);
+  const double stiff = (w.drive() + w.pressure_bound() + w.traction_bound()) /
+                       std::fabs(dynamic_stiffness(m, w.omega()));
+  return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
+}
+
+ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high)
+    : waves_(waves),
+      speed_(speed),
+      curve_(ForcePlane::of_voltage(waves, speed), range_of(low, high), kRules.voltage) {
+  follow(std::log(low), std::log(high));
+}
+
+ForceLine::ForceLine(const DrivenWaves& waves, double speed)
+    : ForceLine(waves, speed, lowest(waves), highest(waves)) {
+  if (waves.drive() > 0) extend_below(waves.drive());
+}
+
+// With mu_0 = mu H is continuous. Otherwise it is sampled, as some amplitudes have no periodic state, and only laps from rest tell
+// which of several is the layer's.
+void ForceLine::follow(double low, double high) {
+  const bool sampled = waves_.has_static_excess();
+  for (double x = low; x < high; x += sampled ? kRules.jumping_step : kRules.voltage.longest) {
+    const auto first = curve_.at_amplitude(x);
+    if (!first) continue;
+    if (!sampled) {
+      // Where R is negative in any case both |R| and I grow.
+      const double y = std::log(waves_.drive()), last = 0.5 * highest_extremum(waves_);
+      nodes_ = curve_.follow(*first, true, [y, last](const std::vector<CurveNode>& nodes) {
+        const CurveNode& n = nodes.back();
+        return n.amplitude > last && n.behind && n.rise > 1 && n.at.y > y;
+      });
+      for (int i = 0; i < kRules.hidden_folds && look_closer(); ++i) continue;
+      return;
+    }
+    if (!nodes_.empty() && unexplained(nodes_.back(), *first) > kRules.jump)
+      split_jump(nodes_.back(), *first);
+    else
+      nodes_.empty() ? nodes_.push_back(*first) : curve_.add(nodes_, *first);
+  }
+}
+
+// Adds a wave on both sides of each at which H is flattest but keeps rising or falling: there may be two extrema. False if there
+// was none.
+bool ForceLine::look_closer() {
+  std::vector<double> places;
+  for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+    const double a = nodes_[i - 1].rise, b = nodes_[i].rise, c = nodes_[i + 1].rise;
+    if (nodes_[i].fold || std::fabs(b) > kRules.flat || a * b < 0 || b * c < 0) continue;
+    if (std::fabs(b) > std::fabs(a) || std::fabs(b) > std::fabs(c)) continue;
+    if (nodes_[i - 1].fold || nodes_[i + 1].fold) continue;
+    for (const std::size_t k : {i, i + 1})
+      places.push_back(0.5 * (nodes_[k - 1].at.x + nodes_[k].at.x));
+  }
+  if (places.empty()) return false;
+  std::vector<CurveNode> all;
+  std::swap(all, nodes_);
+  std::erase_if(all, [](const CurveNode& n) { return n.fold; });
+  const auto below = [](double x, const CurveNode& n) { return x < n.at.x; };
+  for (const double x : places)
+    if (auto n = curve_.at_amplitude(x))
+      all.insert(std::upper_bound(all.begin(), all.end(), x, below), std::move(*n));
+  for (CurveNode& n : all)
+    nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.add(nodes_, std::move(n));
+  return true;
+}
+
+// Halves towards the jump between two nodes; both sides become nodes.
+void ForceLine::split_jump(CurveNode a, CurveNode b) {
+  const CurveNode end = b;
+  while (b.at.x - a.at.x > kRules.kink) {
+    const auto middle = curve_.at_amplitude(0.5 * (a.at.x + b.at.x));
+    if (!middle) break;
+    const bool in_first = unexplained(a, *middle) > unexplained(*middle, b);
+    (in_first ? b : a) = *middle;
+  }
+  if (a.at.x > nodes_.back().at.x) curve_.add(nodes_, a);
+  nodes_.back().jump = true;
+  b.jump = true, b.place = nodes_.back().place;
+  nodes_.push_back(b);
+  if (b.at.x < end.at.x) curve_.add(nodes_, end);
+}
+
+// H(0) = 0.
+void ForceLine::extend_below(double force) {
+  while (!nodes_.empty() && nodes_.front().at.y > std::log(force)) {
+    const double x = nodes_.front().at.x - std::log(10.0);
+    const auto next = curve_.at_amplitude(x);
+    if (!next || x < std::log(kSmallest)) return;
+    const double apart = std::hypot(nodes_.front().at.x - x, nodes_.front().at.y - next->at.y);
+    nodes_.insert(nodes_.begin(), *next);
+    nodes_.front().place = nodes_[1].place - apart;
+  }
+}
+
+std::vector<ForceExtremum> ForceLine::extrema() const {
+  std::vector<ForceExtremum> found;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const CurveNode& n = nodes_[i];
+    const auto add = [&](bool maximum) {
+      const CurveNode &a = nodes_[i > 0 ? i - 1 : i],
+                      &b = nodes_[i + 1 < nodes_.size() ? i + 1 : i];
+      found.push_back({n.amplitude, std::exp(n.at.y), maximum,
+                       (b.rise - a.rise) / (b.at.x - a.at.x), n.beyond_kink});
+    };
+    if (n.fold) add(i > 0 ? nodes_[i - 1].rise > 0 : false);
+    if (!n.jump) continue;
+    const bool before = i + 1 < nodes_.size() && jumps(n, nodes_[i + 1]);
+    const CurveNode& other = before ? nodes_[i + 1] : nodes_[i - 1];
+    const bool above = n.at.y > other.at.y, rises = before == (n.rise > 0);
+    if (above == rises) add(above);
+  }
+  return found;
+}
+
+bool ForceLine::begins_below() const {
+  return !nodes_.empty() && nodes_.front().at.y < std::log(waves_.drive());
+}
+
+std::optional<CurveNode> ForceLine::held_after(std::size_t i) const {
+  if (!(waves_.drive() > 0)) return {};
+  const double y = std::log(waves_.drive());
+  const CurveNode &a = nodes_[i], &b = nodes_[i + 1];
+  if ((a.at.y < y) == (b.at.y < y) || jumps(a, b)) return {};
+  return curve_.between(a, b, y);
+}
+
+std::vector<CurveNode> ForceLine::held() const {
+  std::vector<CurveNode> found;
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
+    if (auto wave = held_after(i)) found.push_back(std::move(*wave));
+  return found;
+}
+
+std::optional<CurveNode> ForceLine::largest_held() const {
+  for (std::size_t i = nodes_.size(); i > 1; --i)
+    if (auto wave = held_after(i - 2)) return wave;
+  return {};
+}
+
+std::vector<WaveSolution> ForceLine::solutions() const {
+  const std::vector<ForceExtremum> all = extrema();
+  std::vector<WaveSolution> found;
+  for (const CurveNode& n : held()) {
+    const SlopedWave wave = waves_.in_amplitude(n.amplitude, speed_);
+    const bool past = std::any_of(all.begin(), all.end(), [&](const ForceExtremum& e) {
+      return e.maximum && e.amplitude < n.amplitude;
+    });
+    found.push_back({wave, waves_.stability(wave), past, all.empty()});
+  }
+  return found;
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drive/wave_curve.hpp"
+
+#include <vector>
+
+namespace twum::performance {
+
+/// A wave that the drive holds at a speed: a root of H(A) = Theta u_0 (D2.4).
+struct WaveSolution {
+  SlopedWave sloped;
+  Stability stability;
+  bool past_maximum;  ///< H has a maximum at a smaller amplitude
+  bool only_one;      ///< H has no extremum: each voltage holds one wave, running and dead alike
+  std::optional<bool> named_running{};  ///< it is on a curve that has a name
+
+  const DrivenWave& wave() const { return sloped.wave; }
+  /// Behind the drive by more than a quarter of a turn, or beyond the maximum that a start has to pass.
+  bool beyond_start() const { return past_maximum || wave().balance.real <= 0; }
+  bool running() const {
+    return stability.stable() && (named_running ? *named_running : beyond_start() || only_one);
+  }
+};
+
+/// An extremum of H over the amplitude: with rising voltage the motor starts at a maximum, with falling
+/// voltage it stops at a minimum.
+struct ForceExtremum {
+  double amplitude, force;  ///< [m], [N]
+  bool maximum;
+  double bend;  ///< how A H_A / H changes with ln A, negative at a maximum
+  /// Amplitude beyond a kink, where a zone begins or ends and H_A jumps past zero; then `amplitude` is the one below it. 0 where
+  /// H_A is zero, and at a jump of H, whose one side this is.
+  double beyond_kink{0};
+};
+
+/// H over the amplitude at one speed, which is the curve of waves continued in voltage. Where H jumps (mu_0 > mu), both sides of
+/// the jump are nodes.
+class ForceLine {
+ public:
+  /// Between two amplitudes.
+  ForceLine(const DrivenWaves& waves, double speed, double low, double high);
+  /// Over all amplitudes at which the motor may have an extremum or a wave.
+  ForceLine(const DrivenWaves& waves, double speed);
+
+  /// The smallest amplitude first.
+  std::vector<ForceExtremum> extrema() const;
+  /// Waves under the drive's force, the smallest first.
+  std::vector<CurveNode> held() const;
+  std::optional<CurveNode> largest_held() const;
+  std::vector<WaveSolution> solutions() const;
+  /// The smallest amplitude needs less than the drive's force.
+  bool begins_below() const;
+  /// No amplitude has a periodic state.
+  bool empty() const { return nodes_.empty(); }
+  long zones() const { return curve_.zones(); }
+
+ private:
+  std::optional<CurveNode> held_after(std::size_t i) const;
+  void follow(double low, double high);
+  bool look_closer();
+  void split_jump(CurveNode a, CurveNode b);
+  void extend_below(double force);
+
+  const DrivenWaves& waves_;
+  double speed_;
+  WaveCurve curve_;
+  std::vector<CurveNode> nodes_;
+};
+
+/// Upper bound of the amplitude of a wave (D2.7).
+double largest_amplitude(const DrivenWaves& waves);
+
+}  // namespace twum::performance

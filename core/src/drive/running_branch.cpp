@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/running_branch.hpp"
+
+#include <twum/base/scalar_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace twum::performance {
+namespace {
+
+// The lowest minimum of H, which has to be passed to hold a running wave.
+std::optional<ForceExtremum> lowest_hold(const std::vector<ForceExtremum>& extrema) {
+  std::optional<ForceExtremum> least;
+  for (const ForceExtremum& e : extrema)
+    if (!e.maximum && (!least || e.force < least->force)) least = e;
+  return least;
+}
+
+// The ripple of a real motor's speed is larger than other pieces.
+bool is_wide(const BranchPiece& piece) {
+  return piece.highest() - piece.lowest() > kRules.narrowest * piece.highest();
+}
+
+}  // namespace
+
+RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
+                             const CurveNode* largest, bool with_dead)
+    : waves_(waves), at_rest_(at_rest.extrema()) {
+  if (!(waves.drive() > 0)) return;
+  const bool running = largest && runs_at_rest(*largest);
+  const auto hold = lowest_hold(at_rest_);
+  const double amplitude = running ? largest->amplitude : largest_amplitude(waves);
+  const double crest = waves.crest_speed_per_amplitude();
+  unit_ = crest * (hold && !running ? hold->amplitude : amplitude);
+  fastest_ = kRules.fastest * crest * amplitude;
+  if (!(unit_ > 0) || !std::isfinite(fastest_)) return;
+  if (running) trace(*largest, 0);
+  if (with_dead)
+    for (const CurveNode& wave : at_rest.held())
+      if (wave.rise > 0) trace(wave, 0);
+  if (!running) search(at_rest);
+  list_nodes();
+}
+
+bool RunningBranch::runs_at_rest(const CurveNode& wave) const {
+  const auto passed = [&](const ForceExtremum& e) {
+    return e.maximum && e.amplitude < wave.amplitude;
+  };
+  return wave.stable() &&
+         (wave.behind || at_rest_.empty() || std::any_of(at_rest_.begin(), at_rest_.end(), passed));
+}
+
+WaveCurve RunningBranch::curve(double lowest, double highest, double longest) const {
+  return {ForcePlane::of_speed(waves_, unit_),
+          {{-HUGE_VAL, lowest / unit_}, {HUGE_VAL, highest / unit_}},
+          {longest, kRules.speed.steep, kRules.speed.settled, kRules.speed.states}};
+}
+
+// Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
+// holds a wave there.
+void RunningBranch::search(const ForceLine& at_rest) {
+  std::vector<double> speeds, least;
+  const auto look = [&](const ForceLine& line, double speed) {
+    const auto hold = lowest_hold(line.extrema());
+    speeds.push_back(speed), least.push_back(hold ? hold->force : HUGE_VAL);
+  };
+  look(at_rest, 0);
+  const auto hold = lowest_hold(at_rest_);
+  const double full = waves_.full_contact_amplitude(),
+               lowest = kRules.smallest_running * (hold ? std::fmin(full, hold->amplitude) : full);
+  for (int i = 1; i <= kRules.speeds; ++i) {
+    const double speed = fastest_ * i / kRules.speeds;
+    const ForceLine line(waves_, speed, lowest, largest_amplitude(waves_));
+    take(line, speed);
+    look(line, speed);
+  }
+  for (std::size_t i = 1; i + 1 < speeds.size(); ++i)
+    if (least[i] > waves_.drive() && least[i] <= least[i - 1] && least[i] <= least[i + 1])
+      search_island(speeds[i - 1], speeds[i + 1], speeds[i]);
+}
+
+// Where the minimum of H over the amplitude is least over the speed.
+void RunningBranch::search_island(double low, double high, double near) {
+  std::optional<ForceExtremum> hold = lowest_hold(ForceLine(waves_, near).extrema());
+  bool met = false;
+  const auto force = [&](double speed) {
+    if (met || !hold) return HUGE_VAL;
+    const ForceLine line(waves_, speed, hold->amplitude / kRules.island,
+                         hold->amplitude * kRules.island);
+    const auto here = lowest_hold(line.extrema());
+    if (!here) return HUGE_VAL;
+    hold = here;
+    if (here->force < waves_.drive()) take(line, speed), met = true;
+    return here->force;
+  };
+  least_between("the least force of an island", force, low, high, kRules.island_bits);
+}
+
+// The smallest wave is the dead one, unless it lags by more than a quarter of a turn.
+void RunningBranch::take(const ForceLine& line, double speed) {
+  bool smallest = line.begins_below();
+  for (const CurveNode& wave : line.held()) {
+    if (!(wave.rise > 0)) continue;
+    if (!smallest || (wave.behind && !wave.grows)) trace(wave, speed);
+    smallest = false;
+  }
+}
+
+void RunningBranch::trace(const CurveNode& wave, double speed) {
+  if (known(speed, wave.amplitude)) return;
+  const WaveCurve on(curve(0, fastest_));
+  if (const auto start = on.settled({wave.at.x, speed / unit_}, &wave.start))
+    ++curves_, add_pieces(on.through(*start), {});
+}
+
+// Cuts a curve at its folds. A closed one begins at a fold.
+void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running) {
+  const auto fold = [](const CurveNode& n) { return n.fold; };
+  const auto turn = std::find_if(nodes.begin(), nodes.end(), fold);
+  if (nodes.size() > 1 && nodes.front().at.x == nodes.back().at.x &&
+      nodes.front().at.y == nodes.back().at.y && turn != nodes.end()) {
+    for (auto n = nodes.begin(); n != turn; ++n) n->place += nodes.back().place;
+    nodes.pop_back();
+    std::rotate(nodes.begin(), turn, nodes.end());
+    nodes.push_back(nodes.front());
+    nodes.back().place =
+        nodes.end()[-2].place + std::hypot(nodes.back().at.x - nodes.end()[-2].at.x,
+                                           nodes.back().at.y - nodes.end()[-2].at.y);
+  }
+  for (std::size_t first = 0, i = 1; i < nodes.size(); ++i) {
+    if (!nodes[i].fold && i + 1 < nodes.size()) continue;
+    std::vector<CurveNode> piece(nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                                 nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    first = i;
+    const bool rises = std::any_of(piece.begin(), piece.end(),
+                                   [](const CurveNode& n) { return !n.fold && n.rise > 0; });
+    if (!rises && piece.size() > 2) continue;
+    if (piece.front().at.y > piece.back().at.y) std::reverse(piece.begin(), piece.end());
+    const bool runs_here = running.value_or(runs(piece));
+    const bool both = piece.front().parameter == 0 && at_rest_.empty();
+    pieces_.push_back({std::move(piece), runs_here, !runs_here || both, curves_});
+    if (!waves_.has_static_excess()) continue;
+    const CurveNode low = pieces_.back().nodes.front(), high = pieces_.back().nodes.back();
+    if (low.jump) leap(low, false, runs_here);
+    if (high.jump) leap(high, true, runs_here);
+  }
+}
+
+// Beyond a jump of H, or speeds without a periodic state, the branch goes on with the nearest wave.
+void RunningBranch::leap(const CurveNode& from, bool upward, bool running) {
+  for (double d = 2 * kRules.shortest; d < kRules.longest_leap; d *= 2) {
+    const double speed = from.parameter + (upward ? d : -d) * unit_;
+    if (speed < 0 || speed > fastest_ || pieces_.size() > kRules.most_pieces) return;
+    const ForceLine line(waves_, speed, from.amplitude / kRules.island,
+                         from.amplitude * kRules.island);
+    std::optional<CurveNode> nearest;
+    for (CurveNode& wave : line.held())
+      if (wave.rise > 0 &&
+          (!nearest || std::fabs(wave.at.x - from.at.x) < std::fabs(nearest->at.x - from.at.x)))
+        nearest = std::move(wave);
+    if (!nearest) continue;
+    if (known(speed, nearest->amplitude)) return;
+    const WaveCurve on(curve(0, fastest_));
+    if (const auto start = on.settled({nearest->at.x, speed / unit_}, &nearest->start)) {
+      add_pieces(on.follow(*start, upward), running);
+      return;
+    }
+  }
+}
+
+bool RunningBranch::known(double speed, double amplitude) const {
+  return std::any_of(pieces_.begin(), pieces_.end(),
+                     [&](const BranchPiece& piece) { return passes(piece, speed, amplitude); });
+}
+
+// A piece that begins at rest is what its wave is there. Elsewhere a wave runs if it lags by more than a quarter of a turn, or if
+// its fold is the minimum of H.
+bool RunningBranch::runs(const std::vector<CurveNode>& nodes) const {
+  const CurveNode &first = nodes.front(), &last = nodes.back();
+  if (first.parameter == 0) return runs_at_rest(first);
+  if (first.fold && first.at.x < nodes[1].at.x) return true;
+  if (last.fold && last.at.x < nodes.end()[-2].at.x) return true;
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const CurveNode& n) { return n.stable() && n.behind; });
+}
+
+// The largest wave at each speed.
+void RunningBranch::list_nodes() {
+  for (const BranchPiece& piece : pieces_)
+    for (const CurveNode& n : piece.nodes)
+      if (piece.running && piece_at(n.parameter, true) == &piece) nodes_.push_back(&n);
+  std::sort(nodes_.begin(), nodes_.end(),
+            [](const CurveNode* a, const CurveNode* b) { return a->parameter < b->parameter; });
+}
+
+// The curve that leads from the fastest waves on: its last fold towards smaller waves.
+const CurveNode* RunningBranch::pull_out() const {
+  if (nodes_.empty() || first().parameter == 0) return nullptr;
+  const CurveNode* end = nullptr;
+  int fastest = 0;
+  double highest = -1;
+  for (const BranchPiece& piece : pieces_)
+    if (piece.running && piece.highest() > highest)
+      highest = piece.highest(), fastest = piece.curve;
+  for (const BranchPiece& piece : pieces_)
+    if (piece.running && piece.curve == fastest && is_wide(piece) &&
+        (!end || piece.nodes.front().at.x < end->at.x))
+      end = &piece.nodes.front();
+  return end;
+}
+
+const BranchPiece* RunningBranch::piece_at(double speed, bool running) const {
+  const BranchPiece* largest = nullptr;
+  double most = 0;
+  for (const BranchPiece& piece : pieces_) {
+    if (!piece.is(running) || !piece.covers(speed)) continue;
+    const double x = piece.around(speed).first->at.x;
+    if (!largest || x > most) largest = &piece, most = x;
+  }
+  return largest;
+}
+
+std::pair<const CurveNode*, const CurveNode*> BranchPiece::around(double speed) const {
+  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, speed,
+                                      [](double s, const CurveNode& n) { return s < n.parameter; });
+  return {&*(above - 1), &*above};
+}
+
+std::optional<bool> RunningBranch::runs(double speed, double amplitude) const {
+  if (speed < 0 || speed > fastest_) return {};
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const BranchPiece& piece) {
+    return piece.running && passes(piece, speed, amplitude);
+  });
+}
+
+bool RunningBranch::passes(const BranchPiece& piece, double speed, double amplitude) const {
+  if (!piece.covers(speed)) return false;
+  const auto [a, b] = piece.around(speed);
+  const double x = cubic(*a, *b, place_of(*a, *b, speed / unit_)).x;
+  return std::fabs(x - std::log(amplitude)) < kRules.same;
+}
+
+MotorPoint RunningBranch::without_wave(PointStatus status) const {
+  MotorPoint point{waves_.motor(0), {}};
+  point.solved.status = status;
+  return point;
+}
+
+MotorPoint RunningBranch::at(double speed, bool running) const {
+  const auto of_kind = [&](const BranchPiece& p) { return p.is(running); };
+  if (std::none_of(pieces_.begin(), pieces_.end(), of_kind))
+    return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
+  const BranchPiece* piece = piece_at(speed, running);
+  std::optional<MotorPoint> point;
+  if (piece) {
+    point = between(*piece, speed);
+  } else {
+    const auto fastest = std::max_element(
+        pieces_.begin(), pieces_.end(), [&](const BranchPiece& a, const BranchPiece& b) {
+          return of_kind(a) != of_kind(b) ? of_kind(b) : a.highest() < b.highest();
+        });
+    if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
+    if (speed < 0)
+      for (const BranchPiece& p : pieces_)
+        if (of_kind(p) && p.lowest() == 0) point = beyond(p.nodes.front(), speed);
+    if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
+  }
+  if (!point) return without_wave(running ? PointStatus::pulled_out : PointStatus::no_dead_branch);
+  if (!steady(piece, *point, speed)) return without_wave(PointStatus::unstable_amplitude);
+  return std::move(*point);
+}
+
+// Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
+// nodes: they are off by a small share, of which the last two steps tell how much they leave. The wave is proven by its own
+// contact, which alone can tell whether its zones are those of the turns.
+std::optional<MotorPoint> RunningBranch::turned(double speed, const CurveGuess& guess,
+                                                const SolvedPoint& near) const {
+  if (!(guess.force_slope > 0)) return {};
+  double a = guess.amplitude, last = 0;
+  WarmStart from = guess.start;
+  for (int i = 0; i < kRules.most_turns; ++i) {
+    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states);
+    if (!turn) return {};
+    const double excess = waves_.balance(turn->numbers, a).force() - waves_.drive();
+    const double step = -excess / guess.force_slope;
+    from = moved(turn->next, guess.states, step);
+    a += step;
+    const double off = std::fmax(std::fabs(step) / a, turn->gap);
+    if (!(off <= (i == 0 ? kRules.far_guess : kRules.quick * last))) return {};
+    last = i == 0 ? off / guess.left : last;
+    if (off * off / last <= kRules.settled_turn) {
+      MotorPoint point{waves_.motor(a), {}};
+      point.solved = solve_point_near(point.motor, speed, near, from);
+      const double force = waves_.balance(point.solved.numbers, a).force();
+      const bool balances = point.solved.status == PointStatus::ok &&
+                            std::fabs(force - waves_.drive()) <= kRules.balanced * waves_.drive();
+      return balances ? std::optional(std::move(point)) : std::nullopt;
+    }
+    last = off;
+  }
+  return {};
+}
+
+std::array<const CurveNode*, 2> BranchPiece::beside(const CurveNode& a, const CurveNode& b) const {
+  const std::uint64_t zones = a.solved.signature();
+  if (b.solved.signature() != zones) return {};
+  const auto if_like = [&](const CurveNode& n) {
+    return n.solved.signature() == zones && same_slices(n, a) ? &n : nullptr;
+  };
+  return {&a > &nodes.front() ? if_like(*(&a - 1)) : nullptr,
+          &b < &nodes.back() ? if_like(*(&b + 1)) : nullptr};
+}
+
+// Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between
+// nodes. As splits move with the speed, a track that is split has those of the guess. What does not lead there is found by itself.
+std::optional<MotorPoint> RunningBranch::between(const BranchPiece& piece, double speed) const {
+  const auto [a, b] = piece.around(speed);
+  const double t = place_of(*a, *b, speed / unit_);
+  const CurveNode& nearer = t < 0.5 ? *a : *b;
+  if (nearer.parameter == speed && nearer.fold) return solved(nearer, speed, nearer.solved);
+  CurveGuess guess = guess_between(*a, *b, t, piece.beside(*a, *b));
+  if (!waves_.splits())
+    if (auto point = turned(speed, guess, nearer.solved)) return point;
+  const SolvedPoint near =
+      solve_point(waves_.motor(guess.amplitude), speed, &guess.start, kRules.speed.states);
+  if (near.status == PointStatus::ok && !near.jumps()) {
+    guess.start = near.start();
+    if (guess.states.size() != guess.start.size())
+      guess.states = waves_.moving(near, guess.amplitude, speed).states;
+    if (auto point = turned(speed, guess, near)) return point;
+  }
+  const auto wave = curve(speed, speed).between(*a, *b, speed / unit_);
+  return wave ? solved(*wave, speed, near) : std::nullopt;
+}
+
+std::optional<MotorPoint> RunningBranch::solved(const CurveNode& wave, double speed,
+                                                const SolvedPoint& near) const {
+  MotorPoint point{waves_.motor(wave.amplitude), {}};
+  point.solved = near.jumps() ? solve_point_near(point.motor, speed, near, wave.start)
+                              : solve_point(point.motor, speed, &wave.start);
+  return point.solved.status == PointStatus::ok ? std::optional(std::move(point)) : std::nullopt;
+}
+
+// Where the curves were not followed: on from the last wave, by steps as long as they may be.
+std::optional<MotorPoint> RunningBranch::beyond(const CurveNode& last, double speed) const {
+  const bool upward = speed > last.parameter;
+  const WaveCurve on = curve(std::fmin(speed, 0), std::fmax(speed, 0), HUGE_VAL);
+  const std::vector<CurveNode> nodes = on.follow(last, upward);
+  const double y = speed / unit_;
+  if (nodes.back().at.y != y || nodes.back().fold) return {};
+  const auto wave = on.polished(nodes.back());
+  return wave ? solved(*wave, speed, nodes.back().solved) : std::nullopt;
+}
+
+// Between two pieces that a jump parts.
+std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) const {
+  const CurveNode *below = nullptr, *above = nullptr;
+  for (const BranchPiece& p : pieces_) {
+    if (!p.is(running)) continue;
+    const CurveNode &low = p.nodes.front(), &high = p.nodes.back();
+    if (high.parameter <= speed && (!below || high.parameter > below->parameter)) below = &high;
+    if (low.parameter >= speed && (!above || low.parameter < above->parameter)) above = &low;
+  }
+  if (!below || !above || !below->jump) return {};
+  const double amplitude = std::sqrt(below->amplitude * above->amplitude);
+  const ForceLine line(waves_, speed, amplitude / kRules.island, amplitude * kRules.island);
+  for (const CurveNode& wave : line.held())
+    if (wave.rise > 0) return solved(wave, speed, wave.solved);
+  return without_wave(PointStatus::no_periodic_state);
+}
+
+// The trace changes little between two nodes, so it is computed only if a disturbance grows at one of them.
+bool RunningBranch::steady(const BranchPiece* piece, const MotorPoint& point, double speed) const {
+  if (point.solved.status != PointStatus::ok) return true;
+  if (piece) {
+    const auto [a, b] = piece->around(speed);
+    if (!a->grows && !b->grows) return true;
+  }
+  const WarmStart start = point.solved.start();
+  return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drive/force_line.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace twum::performance {
+
+/// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
+struct BranchPiece {
+  std::vector<CurveNode> nodes;  ///< by rising speed
+  bool running;
+  bool dead;     ///< that of a stator which the rotor clamps; a single wave at rest is both
+  int curve{0};  ///< number of the curve that it is a part of
+
+  double lowest() const { return nodes.front().parameter; }
+  double highest() const { return nodes.back().parameter; }
+  bool is(bool running_one) const { return running_one ? running : dead; }
+  bool covers(double speed) const { return speed >= lowest() && speed <= highest(); }
+  /// The neighbouring nodes about a speed.
+  std::pair<const CurveNode*, const CurveNode*> around(double speed) const;
+  /// The nodes beside two neighbours, null where they have other zones than both.
+  std::array<const CurveNode*, 2> beside(const CurveNode& a, const CurveNode& b) const;
+};
+
+/// The waves of a motor over the rotor speed, as curves that are followed once. Every answer starts from their nodes, so that it does
+/// not depend on earlier ones.
+///
+/// The running branch is the largest running wave at each speed: that of a motor whose load changes slowly. It may have more than
+/// one piece: where one ends at a fold, the motor falls to the next one below or pulls out.
+class RunningBranch {
+ public:
+  /// @param at_rest    H at rest
+  /// @param largest    wave there, null if there is none
+  /// @param with_dead  the dead branch is followed too
+  RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, const CurveNode* largest,
+                bool with_dead);
+
+  bool exists() const { return !nodes_.empty(); }
+  /// Waves of the running branch, by rising speed.
+  const std::vector<const CurveNode*>& nodes() const { return nodes_; }
+  /// Where it begins: at rest, or where it pulls out.
+  const CurveNode& first() const { return *nodes_.front(); }
+  /// Where the curve ends and the motor pulls out; null if it goes on to rest.
+  const CurveNode* pull_out() const;
+
+  /// The motor under the wave of the running or the dead branch at a speed; its status says why there is none.
+  MotorPoint at(double speed, bool running) const;
+  /// True if a wave is one of the running branch or of another running one, false if not; nothing where no curve was followed.
+  std::optional<bool> runs(double speed, double amplitude) const;
+
+ private:
+  MotorPoint without_wave(PointStatus status) const;
+  WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
+  void search(const ForceLine& at_rest);
+  void search_island(double low, double high, double near);
+  void take(const ForceLine& line, double speed);
+  void trace(const CurveNode& wave, double speed);
+  void leap(const CurveNode& from, bool upward, bool running);
+  void add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running);
+  bool known(double speed, double amplitude) const;
+  bool passes(const BranchPiece& piece, double speed, double amplitude) const;
+  bool runs_at_rest(const CurveNode& wave) const;
+  bool runs(const std::vector<CurveNode>& nodes) const;
+  void list_nodes();
+
+  const BranchPiece* piece_at(double speed, bool running) const;
+  std::optional<MotorPoint> between(const BranchPiece& piece, double speed) const;
+  std::optional<MotorPoint> turned(double speed, const CurveGuess& guess,
+                                   const SolvedPoint& near) const;
+  std::optional<MotorPoint> beyond(const CurveNode& last, double speed) const;
+  std::optional<MotorPoint> in_gap(double speed, bool running) const;
+  std::optional<MotorPoint> solved(const CurveNode& wave, double speed,
+                                   const SolvedPoint& near) const;
+  bool steady(const BranchPiece* piece, const MotorPoint& point, double speed) const;
+
+  const DrivenWaves& waves_;
+  double unit_{0}, fastest_{0};  // speed of y = 1, and up to which the curves are followed
+  std::vector<ForceExtremum> at_rest_;
+  std::vector<BranchPiece> pieces_;
+  int curves_{0};
+  std::vector<const CurveNode*> nodes_;
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "metrics/evaluator.hpp"
+#include "metrics/wave_motion.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace twum::performance {
+
+inline Smoothness worse(Smoothness a, Smoothness b) { return std::max(a, b); }
+
+/// A number with its derivatives in kModelParameters and kDriveParameters, the speed no longer free, and the amplitude
+/// neither where a voltage holds it.
+struct Derived {
+  DesignDual dual;
+  Smoothness smoothness{Smoothness::smooth};
+
+  Derived at_kink() const { return {dual, worse(smoothness, Smoothness::one_sided)}; }
+};
+
+/// What the derivatives of a point in the parameters or the speed are good for.
+Smoothness smoothness_of(const DrivenMotor<double>& motor, const SolvedPoint& point, double speed);
+
+/// Metrics with their derivatives. The members between the first and search() are what metric_row() is made of.
+class Differentiator {
+ public:
+  using Number = Derived;
+
+  Differentiator(const Motor& motor, bool fixed_static_friction);
+
+  MetricDerivative differentiate(const MetricRequest& request);
+  /// At a load of a share of the largest torque, which moves with the design.
+  MetricDerivative differentiate_at_share(Metric metric, double share);
+
+  Derived fixed(double x) const { return {DesignDual(x)}; }
+  /// A point metric at a speed that moves with the parameters.
+  Derived at(Metric metric, const Derived& speed);
+  /// The value of a peak: the speed drops out where the slope is zero.
+  Derived at_peak(Metric metric, const Peak& peak);
+  /// A point metric where the power has its peak.
+  Derived along_peak(Metric metric, const Peak& peak);
+  Derived speed_of_peak(Metric metric, const Peak& peak);
+  /// A speed where the torque takes a load that moves with the parameters.
+  Derived crossing(const Crossing& crossing, const Derived& load);
+  Derived plateau_of_track();
+  Derived at_pull_out(Metric metric);
+  /// The wave at a fold moves with the design, but that does not count where H is at its extremum.
+  Derived threshold(Metric metric);
+  struct RestForce {
+    DesignDual force;  ///< H [N]
+    double slope;      ///< H_A [N/m]
+    Smoothness smoothness;
+  };
+  /// H of a wave at rest at the threshold's frequency (D2.4); derivatives at fixed amplitude.
+  RestForce force_at_rest(const Threshold& threshold, double amplitude, const MotorDesign& design);
+  template <typename F>
+  Derived of_motor(F f) const {
+    return {widened(f(model_))};
+  }
+  template <typename F>
+  Derived of_contact(F f) {
+    return sized(f(model_));
+  }
+  template <typename F>
+  Derived of_modes(F f) {
+    return {f(moving_modes(values_.modes(), model_.stator_damping))};
+  }
+  Derived of_plate(PlateNumber number) const {
+    return {DesignDual::variable(values_.of_plate(number), plate_direction(number))};
+  }
+  Derived product(const Derived& a, const Derived& b) const {
+    return {a.dual * b.dual, worse(a.smoothness, b.smoothness)};
+  }
+  CurveSearch& search() { return values_.search(); }
+
+ private:
+  /// How a direction moves with a parameter in use.
+  struct Slope {
+    int direction;
+    std::size_t parameter;
+    double value;
+  };
+  /// A point with derivatives.
+  struct Moving {
+    double speed;
+    const DrivenMotor<ModelDual>* motor;
+    PointNumbers<ModelDual> numbers;
+    std::optional<WaveMotion<double>> wave;  ///< under a voltage
+  };
+
+  template <typename Ask>
+  MetricDerivative answered(const MetricValue& value, Ask ask);
+  std::array<double, kParameterCount> in_parameters(const DesignDual& dual) const;
+  Derived sized(const ModelDual& dual);
+  Smoothness of_contact_angle(const DrivenMotor<double>& motor) const;
+  Smoothness of_normal_contact(const DrivenMotor<double>& motor) const;
+  Derived plateau();
+  Smoothness of_point(double speed);
+  const Moving& moving(double speed);
+  /// A number at a speed, with the amplitude held by the voltage if there is one.
+  DesignDual held(const ModelDual& dual, double speed);
+  template <typename T>
+  WaveMotion<T> wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
+                            const WavePoint<DesignDualOf<T>>& point);
+  DesignDual wave_metric_at(Metric metric, const Moving& point);
+  DesignDual moving_metric(Metric metric, double speed);
+  DesignDual2 along_curve(Metric metric, double speed);
+  DesignDual frequency_of(DesignDual excess, const MotorDesign& there, double frequency) const;
+  Derived at_plateau_end(Metric metric, double speed);
+  Derived beyond_plateau(Metric metric);
+
+  const MotorDesign& design_;
+  Evaluator values_;
+  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
+  DrivenMotor<ModelDual> model_;
+  std::vector<Slope> slopes_;  // those that are not zero
+  std::optional<DrivenMotor<ModelDual2>> model2_;
+  std::vector<std::pair<Metric, Derived>> peak_speeds_;  // of smooth peaks
+  // References stay valid.
+  std::deque<Moving> duals_;
+  std::deque<DrivenMotor<ModelDual>> motors_;
+  std::vector<std::pair<double, Smoothness>> smoothness_;
+};
+
+}  // namespace twum::performance

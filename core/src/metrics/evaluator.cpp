@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/evaluator.hpp"
+
+#include "metrics/motor_curve.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
+
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+std::unique_ptr<const Curve> curve_of(const Motor& motor) {
+  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model(), motor.modes());
+  return std::make_unique<DrivenCurve>(*motor.drive(), motor.model());
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Motor& motor)
+    : motor_(motor), m_(motor.model()), curve_(curve_of(motor)), search_(*curve_) {}
+
+const StatorModes<double>& Evaluator::modes() const {
+  if (!motor_.modes()) throw SearchFailure{MetricStatus::undefined};
+  return *motor_.modes();
+}
+
+Thresholds& Evaluator::thresholds() {
+  modes();
+  if (!thresholds_)
+    thresholds_.emplace(motor_.design(), m_.track,
+                        motor_.drive() ? std::optional(motor_.drive()->extrema()) : std::nullopt,
+                        motor_.drive() ? motor_.drive()->largest_at_rest() : nullptr);
+  return *thresholds_;
+}
+
+const CurveNode& Evaluator::pull_out() const {
+  if (!motor_.drive()) throw SearchFailure{MetricStatus::undefined};
+  const RunningBranch& branch = motor_.drive()->branch();
+  if (!branch.exists()) throw SearchFailure{MetricStatus::no_running_branch};
+  const CurveNode* end = branch.pull_out();
+  if (!end) throw SearchFailure{MetricStatus::does_not_pull_out};
+  return *end;
+}
+
+double Evaluator::at_pull_out(Metric metric) {
+  const MotorPoint at = pull_out_point();
+  return point_metric(metric, at.solved.numbers, pull_out().parameter, at.motor);
+}
+
+MotorPoint Evaluator::pull_out_point() const {
+  const CurveNode& end = pull_out();
+  MotorPoint at{motor_.drive()->waves().motor(end.amplitude), {}};
+  at.solved = solve_point(at.motor, end.parameter, &end.start);
+  if (at.solved.status != PointStatus::ok) throw SearchFailure{metric_status(at.solved.status)};
+  return at;
+}
+
+double Evaluator::of_plate(PlateNumber number) const {
+  if (!motor_.design().stator.geometry) throw SearchFailure{MetricStatus::undefined};
+  const MotorDesign& design = motor_.design();
+  return number == PlateNumber::mode_separation ? mode_separation(design)
+                                                : plate_numbers(design)[index_of(number)];
+}
+
+// To find that out by a throw takes as long as several points.
+bool Evaluator::has_meaning(Metric metric) const {
+  const MetricInfo& row = info(metric);
+  if ((row.needs_modes && !motor_.modes()) ||
+      (row.needs_geometry && !motor_.design().stator.geometry))
+    return false;
+  const bool of_stator =
+      metric == Metric::max_efficiency || metric == Metric::speed_at_max_efficiency;
+  return !of_stator || curve_->has_input();
+}
+
+MetricValue Evaluator::evaluate(const MetricRequest& request) {
+  if (!has_meaning(request.metric)) return {kNoValue, MetricStatus::undefined};
+  try {
+    const double found = metric_row(*this, request);
+    return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
+                                : MetricValue{kNoValue, MetricStatus::inaccurate};
+  } catch (const SearchFailure& failure) {
+    return {kNoValue, failure.status};
+  } catch (const EvaluationError&) {  // a search without a bracket
+    return {kNoValue, MetricStatus::unresolved};
+  }
+}
+
+MetricValue Evaluator::evaluate_at_share(Metric metric, double share) {
+  const MetricValue largest = evaluate({Metric::max_torque});
+  if (largest.status != MetricStatus::ok || !(largest.value > 0))
+    return {kNoValue, MetricStatus::unreachable};
+  return evaluate({metric, Argument::torque, share * largest.value});
+}
+
+double Evaluator::at(Metric metric, double speed) {
+  if (!wave_meets_rotor(m_, speed)) throw SearchFailure{MetricStatus::out_of_range};
+  require_input(metric, speed);
+  const PointNumbers<double>& n = point(speed).numbers;
+  const DrivenMotor<double>& m = motor_at(speed);
+  if (!is_wave_metric(metric)) return point_metric(metric, n, speed, m);
+  if (needs_sensor(metric) && !modes().sensor) throw SearchFailure{MetricStatus::undefined};
+  WavePoint<double> p{m.amplitude, m.omega, n.reactive_force, n.stator_power, n.torque * speed};
+  if (needs_backward_wave(metric, modes()))
+    p = with_backward_wave(metric, p, modes(), disturbed_contact_at(speed));
+  return wave_metric(metric, modes(), p);
+}
+
+DisturbedContact<double> Evaluator::disturbed_contact_at(double speed) {
+  auto contact = disturbed_contact(motor_at(speed), speed);
+  if (!contact) throw SearchFailure{MetricStatus::backward_wave_unknown};
+  return *contact;
+}
+
+double Evaluator::at_peak(Metric metric, const Peak& peak) {
+  require_input(metric, peak.speed);
+  return peak.value;
+}
+
+double Evaluator::speed_of_peak(Metric metric, const Peak& peak) {
+  require_input(metric, peak.speed);
+  return peak.speed;
+}
+
+const Evaluator::Known& Evaluator::known(double speed) {
+  for (const Known& kept : points_) {
+    if (kept.speed == speed) return kept;
+  }
+  const DrivenMotor<double>* motor = &m_;
+  SolvedPoint solved;
+  if (motor_.drive()) {
+    MotorPoint at = motor_.drive()->at(speed);
+    motor = &motors_.emplace_back(at.motor);
+    solved = at.solved;
+  } else {
+    solved = solve_point(m_, speed);
+  }
+  if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
+  return points_.emplace_back(Known{speed, motor, solved});
+}
+
+// An efficiency needs an input power that is more than rounding.
+void Evaluator::require_input(Metric metric, double speed) {
+  const bool contact_alone = metric == Metric::contact_efficiency_at,
+             overall = metric == Metric::overall_efficiency_at;
+  if (!contact_alone && !overall && metric != Metric::efficiency_at) return;
+  const PointNumbers<double>& n = point(speed).numbers;
+  const double input = overall
+                           ? at(Metric::electrical_power_at, speed)
+                           : n.stator_power + (contact_alone ? 0 : stator_loss(motor_at(speed)));
+  if (!(input > 0)) throw SearchFailure{MetricStatus::undefined};
+  if (!is_known(input, excess(n, speed))) throw SearchFailure{MetricStatus::inaccurate};
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drive/thresholds.hpp"
+#include "metrics/metric_rows.hpp"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace twum::performance {
+
+/// Values of metrics. What several of them need is found once. The members between the first and search() are what
+/// metric_row() is made of.
+class Evaluator {
+ public:
+  using Number = double;
+
+  explicit Evaluator(const Motor& motor);
+
+  MetricValue evaluate(const MetricRequest& request);
+  /// At a load of a share of the largest torque; `unreachable` if the motor has no torque.
+  MetricValue evaluate_at_share(Metric metric, double share);
+
+  double fixed(double x) const { return x; }
+  /// A point metric at a speed.
+  double at(Metric metric, double speed);
+  double at_peak(Metric metric, const Peak& peak);
+  double along_peak(Metric metric, const Peak& peak) { return at(metric, peak.speed); }
+  double speed_of_peak(Metric metric, const Peak& peak);
+  double crossing(const Crossing& crossing, double /*load*/) const { return crossing.speed; }
+  double plateau_of_track() {
+    const double end = track_plateau_end(m_, search_.plateau_end());
+    return end < begin() ? 0 : end;
+  }
+  /// A point metric where the running wave ends.
+  double at_pull_out(Metric metric);
+  double threshold(Metric metric) { return thresholds().at(metric).value; }
+  template <typename F>
+  double of_modes(F f) const {
+    const double found = f(modes());
+    if (!std::isfinite(found)) throw SearchFailure{MetricStatus::undefined};
+    return found;
+  }
+  template <typename F>
+  double of_motor(F f) const {
+    return f(m_);
+  }
+  template <typename F>
+  double of_contact(F f) const {
+    return f(m_);
+  }
+  /// @throws SearchFailure without a geometry
+  double of_plate(PlateNumber number) const;
+  double product(double a, double b) const { return a * b; }
+  CurveSearch& search() { return search_; }
+
+  const Motor& motor() const { return motor_; }
+  /// The point at a speed. @throws SearchFailure if it has no answer
+  const SolvedPoint& point(double speed) { return known(speed).solved; }
+  /// The motor under the wave at a speed.
+  const DrivenMotor<double>& motor_at(double speed) { return *known(speed).motor; }
+  /// The contact there as a backward wave feels it. @throws SearchFailure if that is not known
+  DisturbedContact<double> disturbed_contact_at(double speed);
+  /// Smallest speed of the curve [rad/s].
+  double begin() const { return curve_->begin(); }
+  /// @throws SearchFailure without modal data
+  const StatorModes<double>& modes() const;
+  /// @throws SearchFailure without modal data
+  Thresholds& thresholds();
+  /// Where the running wave ends. @throws SearchFailure if it does not
+  const CurveNode& pull_out() const;
+  MotorPoint pull_out_point() const;
+
+ private:
+  struct Known {
+    double speed;
+    const DrivenMotor<double>* motor;
+    SolvedPoint solved;
+  };
+
+  bool has_meaning(Metric metric) const;
+  void require_input(Metric metric, double speed);
+  const Known& known(double speed);
+
+  const Motor& motor_;
+  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
+  std::unique_ptr<const Curve> curve_;
+  CurveSearch search_;
+  std::optional<Thresholds> thresholds_;
+  // References stay valid.
+  std::deque<Known> points_;
+  std::deque<DrivenMotor<double>> motors_;
+};
+
+}  // namespace twum::performance

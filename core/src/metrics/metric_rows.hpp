@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/search.hpp"
+#include "model/track.hpp"
+
+#include "model/stator_modes.hpp"
+#include "point/backward_wave.hpp"
+
+#include <twum/core/metrics.hpp>
+
+namespace twum::performance {
+
+/// A point metric from the numbers of a point (T7.1 to T7.9); S is double or carries derivatives. The one place for these
+/// formulas; a metric without its line does not compile (-Werror=switch).
+template <typename S>
+S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const DrivenMotor<S>& m) {
+  using M = Metric;
+  switch (metric) {
+    case M::torque_at: return n.torque;
+    case M::output_power_at: return n.torque * speed;  // (T7.1)
+    case M::stator_power_at: return n.stator_power;
+    case M::friction_power_at: return n.friction_power;
+    case M::layer_loss_at: return n.layer_loss;
+    case M::efficiency_at: return n.torque * speed / (n.stator_power + stator_loss(m));  // (T7.7)
+    case M::contact_efficiency_at: return n.torque * speed / n.stator_power;             // (T7.6)
+    case M::wear_intensity_at: return n.friction_power / track_area(m);                  // (T7.9)
+    case M::stick_fraction_at: return n.stick_fraction;
+    case M::speed_at: return speed;
+    case M::amplitude_at: return m.amplitude;
+    // of the stator's modes, see wave_metric()
+    case M::phase_lag_at:
+    case M::electrical_power_at:
+    case M::overall_efficiency_at:
+    case M::phase_current_at:
+    case M::power_factor_at:
+    case M::backward_ratio_at:
+    case M::squeal_rate_at:
+    case M::sensor_voltage_at:
+    case M::sensor_phase_at:
+    case M::loaded_resonance:
+    // numbers of the motor, see metric_row()
+    case M::max_overall_efficiency:
+    case M::speed_at_max_overall_efficiency:
+    case M::pull_out_torque:
+    case M::start_voltage:
+    case M::hold_voltage:
+    case M::start_frequency:
+    case M::pull_out_frequency:
+    case M::coupling_factor:
+    case M::capacitance_ratio:
+    case M::mode_separation:
+    case M::ceramic_stress:
+    case M::stall_torque:
+    case M::max_torque:
+    case M::holding_torque:
+    case M::no_load_speed:
+    case M::plateau_speed:
+    case M::peak_power:
+    case M::speed_at_peak_power:
+    case M::torque_at_peak_power:
+    case M::contact_efficiency_at_peak_power:
+    case M::max_efficiency:
+    case M::speed_at_max_efficiency:
+    case M::contact_half_length:
+    case M::contact_ratio:
+    case M::max_pressure:
+    case M::layer_aspect:
+    case M::pressure_nonuniformity: break;
+  }
+  return S(0.0);
+}
+
+/// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
+template <typename S>
+S layer_aspect(const DrivenMotor<S>& m) {
+  if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
+  return m.thickness / (2.0 * m.contact.half_length);
+}
+
+/// True for the signals of a sensor electrode.
+constexpr bool needs_sensor(Metric metric) {
+  return metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
+}
+
+/// True for the point metrics that wave_metric() knows.
+constexpr bool is_wave_metric(Metric metric) {
+  using M = Metric;
+  return metric == M::phase_lag_at || metric == M::electrical_power_at ||
+         metric == M::overall_efficiency_at || metric == M::phase_current_at ||
+         metric == M::power_factor_at || metric == M::loaded_resonance ||
+         metric == M::backward_ratio_at || metric == M::squeal_rate_at || needs_sensor(metric);
+}
+
+/// True if the metric is made of the backward wave (D6.5, D6.7). Equal phases and modes drive none.
+template <typename S>
+bool needs_backward_wave(Metric metric, const StatorModes<S>& modes) {
+  using M = Metric;
+  if (metric == M::squeal_rate_at) return true;
+  return !modes.unequal.none() && (metric == M::backward_ratio_at ||
+                                   metric == M::phase_current_at || metric == M::power_factor_at);
+}
+
+/// What a metric of the stator's modes is made of at a point.
+template <typename S>
+struct WavePoint {
+  S amplitude, omega, reactive_force, stator_power, output_power;
+  Phasor<S> backward{S(0.0), S(0.0)};  ///< z of (D6.5)
+  S squeal_rate = S(0.0);              ///< of (D6.7)
+};
+
+/// The force that the wave of a point takes of the drive (D2.3) [N].
+template <typename S>
+WaveBalance<S> wave_balance(const StatorModes<S>& modes, const WavePoint<S>& p) {
+  return wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+}
+
+/// The point with what a contact does to a backward wave.
+template <typename S>
+WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes<S>& modes,
+                                const DisturbedContact<S>& contact) {
+  if (metric == Metric::squeal_rate_at) {
+    p.squeal_rate = free_backward_wave(contact, modes, modes.rotor_mass).rate;
+    return p;
+  }
+  const WaveBalance<S> w = wave_balance(modes, p);
+  p.backward = forced_backward_wave(contact, modes, w, p.amplitude);
+  return p;
+}
+
+/// A point metric of the stator's modes; S is double or carries derivatives.
+template <typename S>
+S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p) {
+  using M = Metric;
+  using std::sqrt;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const WaveBalance<S> w = wave_balance(modes, p);
+  if (metric == M::phase_lag_at) return argument(w.real, w.imaginary);  // (D2.4)
+  if (metric == M::loaded_resonance)                                    // (D3.1)
+    return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /
+           kTurn;
+  if (metric == M::backward_ratio_at) return sqrt(p.backward.squared()) / p.amplitude;
+  if (metric == M::squeal_rate_at) return p.squeal_rate;
+  if (needs_sensor(metric)) {
+    const SensorSignal<S> signal = sensor_signal(modes, w, p.amplitude, p.omega);
+    return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
+  }
+  const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
+  if (metric == M::electrical_power_at) return t.power;
+  if (metric == M::phase_current_at) return t.current;
+  if (metric == M::power_factor_at) return t.power_factor;
+  return value_of(p.output_power) > 0 ? S(p.output_power / t.power) : S(0.0);  // (D4.3)
+}
+
+/// C_m / C_0 of a phase (D4.4).
+template <typename S>
+S capacitance_ratio(const StatorModes<S>& m) {
+  return m.force_factor * m.force_factor / (m.mass * m.resonance * m.resonance * m.capacitance);
+}
+
+/// sqrt(C_m / (C_0 + C_m)) of a phase.
+template <typename S>
+S coupling_factor(const StatorModes<S>& m) {
+  using std::sqrt;
+  const S motional = m.force_factor * m.force_factor / (m.mass * m.resonance * m.resonance);
+  return sqrt(motional / (m.capacitance + motional));
+}
+
+/// One row for each metric: what it is, for its value and for its derivatives alike; a metric without its row does not
+/// compile.
+/// @param to  answers with numbers (Evaluator) or with numbers and their derivatives (Differentiator)
+template <typename Answers>
+typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
+  using M = Metric;
+  CurveSearch& search = to.search();
+  switch (request.metric) {
+    case M::stall_torque:
+      return to.at_peak(M::torque_at, {0, search.stall_torque(), PeakKind::rest});
+    case M::max_torque: return to.at_peak(M::torque_at, search.max_torque());
+    case M::holding_torque: return to.of_motor([](const auto& m) { return holding_torque(m); });
+    case M::no_load_speed: return to.crossing(search.no_load(), to.fixed(0));
+    case M::plateau_speed: return to.plateau_of_track();
+    case M::peak_power: return to.at_peak(M::output_power_at, search.peak_power());
+    case M::speed_at_peak_power: return to.speed_of_peak(M::output_power_at, search.peak_power());
+    case M::torque_at_peak_power: return to.along_peak(M::torque_at, search.working_peak());
+    case M::contact_efficiency_at_peak_power:
+      return to.along_peak(M::contact_efficiency_at, search.working_peak());
+    case M::max_efficiency: return to.at_peak(M::efficiency_at, search.max_efficiency());
+    case M::speed_at_max_efficiency:
+      return to.speed_of_peak(M::efficiency_at, search.max_efficiency());
+    case M::contact_half_length:
+      return to.of_contact([](const auto& m) { return m.contact.half_length; });
+    case M::contact_ratio: return to.of_contact([](const auto& m) { return m.contact.ratio; });
+    case M::max_pressure: return to.of_contact([](const auto& m) { return largest_pressure(m); });
+    case M::layer_aspect: return to.of_contact([](const auto& m) { return layer_aspect(m); });
+    case M::pressure_nonuniformity:
+      return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
+    case M::max_overall_efficiency:
+      return to.at_peak(M::overall_efficiency_at, search.max_overall_efficiency());
+    case M::speed_at_max_overall_efficiency:
+      return to.speed_of_peak(M::overall_efficiency_at, search.max_overall_efficiency());
+    case M::pull_out_torque: return to.at_pull_out(M::torque_at);
+    case M::start_voltage:
+    case M::hold_voltage:
+    case M::start_frequency:
+    case M::pull_out_frequency: return to.threshold(request.metric);
+    case M::loaded_resonance:
+      return to.at(M::loaded_resonance, to.crossing(search.no_load(), to.fixed(0)));
+    case M::coupling_factor: return to.of_modes([](const auto& m) { return coupling_factor(m); });
+    case M::capacitance_ratio:
+      return to.of_modes([](const auto& m) { return capacitance_ratio(m); });
+    case M::mode_separation: return to.of_plate(PlateNumber::mode_separation);
+    case M::ceramic_stress:
+      return to.product(to.of_plate(PlateNumber::ceramic_stress),
+                        to.at(M::amplitude_at, to.crossing(search.no_load(), to.fixed(0))));
+    case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));
+    case M::torque_at:
+    case M::output_power_at:
+    case M::stator_power_at:
+    case M::friction_power_at:
+    case M::layer_loss_at:
+    case M::efficiency_at:
+    case M::contact_efficiency_at:
+    case M::wear_intensity_at:
+    case M::stick_fraction_at:
+    case M::amplitude_at:
+    case M::phase_lag_at:
+    case M::electrical_power_at:
+    case M::overall_efficiency_at:
+    case M::phase_current_at:
+    case M::power_factor_at:
+    case M::backward_ratio_at:
+    case M::squeal_rate_at:
+    case M::sensor_voltage_at:
+    case M::sensor_phase_at: break;
+  }
+  return request.argument == Argument::torque
+             ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))
+             : to.at(request.metric, to.fixed(request.at));
+}
+
+}  // namespace twum::performance

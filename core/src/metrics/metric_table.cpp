@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/metrics.hpp>
+
+namespace twum {
+namespace {
+
+using M = Metric;
+using A = Argument;
+
+constexpr bool kModes = true, kGeometry = true;
+
+constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
+    {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
+    {M::max_torque, "max_torque", "N.m", A::none, "largest torque between rest and no-load speed"},
+    {M::holding_torque, "holding_torque", "N.m", A::none,
+     "torque held at rest without drive, mu_0 F_N r"},
+    {M::no_load_speed, "no_load_speed", "rad/s", A::none,
+     "smallest speed at which the torque falls through zero"},
+    {M::plateau_speed, "plateau_speed", "rad/s", A::none,
+     "largest speed up to which the whole contact slips and drives"},
+    {M::peak_power, "peak_power", "W", A::none,
+     "largest output power between rest and no-load speed"},
+    {M::speed_at_peak_power, "speed_at_peak_power", "rad/s", A::none,
+     "speed of the largest output power"},
+    {M::torque_at_peak_power, "torque_at_peak_power", "N.m", A::none,
+     "torque at the largest output power"},
+    {M::contact_efficiency_at_peak_power, "contact_efficiency_at_peak_power", "1", A::none,
+     "output over stator power at the largest output power"},
+    {M::max_efficiency, "max_efficiency", "1", A::none,
+     "largest efficiency, stator loss included; needs modal_damping > 0"},
+    {M::speed_at_max_efficiency, "speed_at_max_efficiency", "rad/s", A::none,
+     "speed of the largest efficiency; needs modal_damping > 0"},
+    {M::contact_half_length, "contact_half_length", "m", A::none,
+     "half length of one contact zone"},
+    {M::contact_ratio, "contact_ratio", "1", A::none,
+     "half length of the contact over the wavelength"},
+    {M::max_pressure, "max_pressure", "Pa", A::none,
+     "pressure at the crest of the wave, the largest over the track"},
+    {M::layer_aspect, "layer_aspect", "1", A::none,
+     "thickness of the layer over the length of one contact zone"},
+    {M::pressure_nonuniformity, "pressure_nonuniformity", "1", A::none,
+     "largest over mean pressure across the track, each averaged over a wave"},
+    {M::max_overall_efficiency, "max_overall_efficiency", "1", A::none,
+     "largest overall efficiency between rest and no-load speed", kModes},
+    {M::speed_at_max_overall_efficiency, "speed_at_max_overall_efficiency", "rad/s", A::none,
+     "speed of the largest overall efficiency", kModes},
+    {M::pull_out_torque, "pull_out_torque", "N.m", A::none,
+     "torque at the fold at which the running branch ends under load", kModes},
+    {M::start_voltage, "start_voltage", "V", A::none,
+     "voltage above which the motor starts by itself from rest, rms; 0 where there is one wave at "
+     "every "
+     "voltage",
+     kModes},
+    {M::hold_voltage, "hold_voltage", "V", A::none,
+     "voltage below which the running wave ends at rest, rms; 0 where there is one wave at every "
+     "voltage",
+     kModes},
+    {M::start_frequency, "start_frequency", "Hz", A::none,
+     "frequency above which the motor starts by itself from rest", kModes},
+    {M::pull_out_frequency, "pull_out_frequency", "Hz", A::none,
+     "frequency below which the running wave ends at rest", kModes},
+    {M::loaded_resonance, "loaded_resonance", "Hz", A::none,
+     "resonance of the stator with the rotor on it, at the amplitude at no-load", kModes},
+    {M::coupling_factor, "coupling_factor", "1", A::none,
+     "effective coupling factor of a phase, sqrt(C_m / (C_0 + C_m))", kModes},
+    {M::capacitance_ratio, "capacitance_ratio", "1", A::none,
+     "motional over blocked capacitance of a phase", kModes},
+    {M::mode_separation, "mode_separation", "Hz", A::none,
+     "distance to the nearest other mode of n - 2 to n + 2 wavelengths", !kModes, kGeometry},
+    {M::ceramic_stress, "ceramic_stress", "Pa", A::none,
+     "largest bending stress of the ceramic at the amplitude at no-load", !kModes, kGeometry},
+    {M::torque_at, "torque_at", "N.m", A::speed, "torque at a speed"},
+    {M::speed_at, "speed_at", "rad/s", A::torque,
+     "largest speed up to no-load at which the motor carries a torque"},
+    {M::output_power_at, "output_power_at", "W", A::speed_or_torque,
+     "output power at a speed or torque"},
+    {M::stator_power_at, "stator_power_at", "W", A::speed_or_torque,
+     "power from the stator to the layer"},
+    {M::friction_power_at, "friction_power_at", "W", A::speed_or_torque,
+     "friction power at a speed or torque"},
+    {M::layer_loss_at, "layer_loss_at", "W", A::speed_or_torque,
+     "viscous loss in the layer at a speed or torque"},
+    {M::efficiency_at, "efficiency_at", "1", A::speed_or_torque,
+     "output over stator power and stator loss"},
+    {M::contact_efficiency_at, "contact_efficiency_at", "1", A::speed_or_torque,
+     "output over stator power"},
+    {M::wear_intensity_at, "wear_intensity_at", "W/m^2", A::speed_or_torque,
+     "friction power per area of the contact track"},
+    {M::stick_fraction_at, "stick_fraction_at", "1", A::speed_or_torque,
+     "share of the contact length that sticks"},
+    {M::amplitude_at, "amplitude_at", "m", A::speed_or_torque, "amplitude of the travelling wave"},
+    {M::phase_lag_at, "phase_lag_at", "rad", A::speed_or_torque,
+     "lag of the wave behind the voltage", kModes},
+    {M::electrical_power_at, "electrical_power_at", "W", A::speed_or_torque,
+     "power at the terminals, both phases together", kModes},
+    {M::overall_efficiency_at, "overall_efficiency_at", "1", A::speed_or_torque,
+     "output over electrical power; 0 where the output is negative", kModes},
+    {M::phase_current_at, "phase_current_at", "A", A::speed_or_torque, "current of a phase, rms",
+     kModes},
+    {M::power_factor_at, "power_factor_at", "1", A::speed_or_torque,
+     "electrical over apparent power of both phases", kModes},
+    {M::backward_ratio_at, "backward_ratio_at", "1", A::speed_or_torque,
+     "amplitude of the backward wave of unequal phases and modes over that of the forward one",
+     kModes},
+    {M::squeal_rate_at, "squeal_rate_at", "1/s", A::speed_or_torque,
+     "rate at which a free backward wave grows; the motor squeals where it is positive", kModes},
+    {M::sensor_voltage_at, "sensor_voltage_at", "V", A::speed_or_torque,
+     "voltage of the sensor electrode, rms; needs a sensor", kModes},
+    {M::sensor_phase_at, "sensor_phase_at", "rad", A::speed_or_torque,
+     "lag of the sensor's voltage behind that of the first phase; needs a sensor", kModes},
+}};
+
+constexpr bool every_metric_in_its_place() {
+  for (std::size_t i = 0; i < kMetricCount; ++i)
+    if (static_cast<std::size_t>(kMetricTable[i].metric) != i || kMetricTable[i].name.empty())
+      return false;
+  return true;
+}
+static_assert(every_metric_in_its_place(), "a metric has no row of its own, or not in its place");
+
+}  // namespace
+
+std::span<const MetricInfo> metric_table() { return kMetricTable; }
+
+const MetricInfo& info(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
+
+std::optional<Metric> find_metric(std::string_view name) {
+  for (const MetricInfo& row : kMetricTable) {
+    if (row.name == name) return row.metric;
+  }
+  return {};
+}
+
+}  // namespace twum

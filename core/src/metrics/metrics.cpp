@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/metrics.hpp>
+
+#include "metrics/differentiator.hpp"
+
+#include <limits>
+
+namespace twum {
+
+using namespace performance;
+
+SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
+  SpeedDerivative d;
+  d.point = motor.operating_point(speed);
+  if (d.point.status != PointStatus::ok) {
+    d.torque = d.output_power = d.stator_power = d.friction_power = d.layer_loss =
+        d.stick_fraction = std::numeric_limits<double>::quiet_NaN();
+    d.smoothness = Smoothness::undefined;
+    return d;
+  }
+  const DrivenMotor<double>& m = motor.model();
+  const SolvedPoint solved = solve_point(m, speed);
+  const auto n = solved.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed));
+  d.torque = n.torque.d[0];
+  d.output_power = d.point.torque + speed * d.torque;
+  d.stator_power = n.stator_power.d[0];
+  d.friction_power = n.friction_power.d[0];
+  d.layer_loss = n.layer_loss.d[0];
+  d.stick_fraction = n.stick_fraction.d[0];
+  d.smoothness = smoothness_of(m, solved, speed);
+  return d;
+}
+
+std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+  Evaluator evaluator(motor);
+  std::vector<MetricValue> values;
+  values.reserve(requests.size());
+  for (const MetricRequest& request : requests) values.push_back(evaluator.evaluate(request));
+  return values;
+}
+
+MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
+  return Evaluator(motor).evaluate(request);
+}
+
+MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
+  return Evaluator(motor).evaluate_at_share(metric, share);
+}
+
+std::vector<MetricDerivative> differentiate(const Motor& motor,
+                                            std::span<const MetricRequest> requests,
+                                            bool fixed_static_friction) {
+  Differentiator differentiator(motor, fixed_static_friction);
+  std::vector<MetricDerivative> derivatives;
+  derivatives.reserve(requests.size());
+  for (const MetricRequest& request : requests)
+    derivatives.push_back(differentiator.differentiate(request));
+  return derivatives;
+}
+
+MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
+                                        bool fixed_static_friction) {
+  return Differentiator(motor, fixed_static_friction).differentiate_at_share(metric, share);
+}
+
+}  // namespace twum

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/motor_model.hpp"
+
+#include <type_traits>
+
+namespace twum::performance {
+
+/// R - 1 of a mode (P8.1).
+/// @param place  from the mean radius, in half widths of the track
+template <typename S, typename R>
+R mode_excess(const MotorModel<S>& m, const R& place) {
+  R sum(m.shape_numbers.back());
+  for (std::size_t i = kShapeNumbers - 1; i-- > 0;) sum = sum * place + R(m.shape_numbers[i]);
+  return sum * place;
+}
+
+/// R(rho) - 1 (W1.3), accurate where the shape is nearly 1; R is S or carries more derivatives than S.
+template <typename S, typename R>
+R shape_excess(const MotorModel<S>& m, const R& radius) {
+  if (m.track.mode) return mode_excess(m, R(2.0 * (radius - m.r) / m.b));
+  if (m.track.table) return m.track.table->at(radius) / m.track.table->at(m.r) - 1.0;
+  using std::expm1, std::log1p;
+  const auto& [exponent, root, unused, none] = m.shape_numbers;
+  if constexpr (std::is_same_v<S, double>)
+    if (exponent == 0) return R(0.0);
+  const R along = (radius - m.r) / (m.r - root);
+  return expm1(R(exponent * log1p(along)));
+}
+
+/// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1) [m].
+template <typename S, typename R>
+R crest_rise(const DrivenMotor<S>& m, const R& radius) {
+  return m.amplitude * shape_excess(m, radius) - (radius - m.r) * m.slope;
+}
+
+/// The contact at a radius of the track (W1.2, W2.2), half_angle 0 where the wave does not reach the rotor. For one slice it
+/// is that at the mean radius.
+template <typename S>
+Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width);
+
+/// Those edges of an annulus that touch: no part of a sum, but the first slices to stick.
+template <typename S>
+std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m);
+
+/// Largest pressure p(0) over the track (W5.1) [Pa].
+template <typename S>
+S largest_pressure(const DrivenMotor<S>& m);
+
+/// Largest pressure over the track, averaged over a wave, in parts of that of the whole track (W5.2) [1].
+template <typename S>
+S pressure_nonuniformity(const DrivenMotor<S>& m);
+
+}  // namespace twum::performance

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/metric_value.hpp>
+
+namespace twum {
+
+const char* to_string(MetricStatus status) noexcept {
+  switch (status) {
+    case MetricStatus::ok: return "ok";
+    case MetricStatus::undefined: return "undefined";
+    case MetricStatus::unreachable: return "unreachable";
+    case MetricStatus::no_periodic_state: return "no-periodic-state";
+    case MetricStatus::not_converged: return "not-converged";
+    case MetricStatus::resonance: return "resonance";
+    case MetricStatus::unresolved: return "unresolved";
+    case MetricStatus::inaccurate: return "inaccurate";
+    case MetricStatus::out_of_range: return "out-of-range";
+    case MetricStatus::pulled_out: return "pulled-out";
+    case MetricStatus::no_running_branch: return "no-running-branch";
+    case MetricStatus::no_dead_branch: return "no-dead-branch";
+    case MetricStatus::unstable_amplitude: return "unstable-amplitude";
+    case MetricStatus::backward_wave_unknown: return "backward-wave-unknown";
+    case MetricStatus::does_not_pull_out: return "does-not-pull-out";
+  }
+  return "unresolved";
+}
+
+const char* to_string(Smoothness smoothness) noexcept {
+  switch (smoothness) {
+    case Smoothness::smooth: return "smooth";
+    case Smoothness::flat: return "flat";
+    case Smoothness::one_sided: return "one-sided";
+    case Smoothness::undefined: return "undefined";
+  }
+  return "undefined";
+}
+
+}  // namespace twum

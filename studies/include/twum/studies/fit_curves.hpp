@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/calibrate_result.hpp>
+#include <twum/studies/study_file.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// A measured quantity of the fitted motor, along what the bench varied.
+struct FitCurve {
+  std::string quantity;         ///< such as "torque_at"
+  std::string unit;             ///< its SI unit
+  NamedValue over;              ///< "speed", "torque", or a parameter that the bench set; value 0
+  std::vector<NamedValue> set;  ///< further parameters that the bench had set
+  std::string file;             ///< table with values of its own; empty: all
+  std::vector<double> at;       ///< places, from the least on [SI]
+  std::vector<double> value;    ///< there [SI]; NaN where the motor has none
+  std::vector<double> half;     ///< half width of the confidence band (L2.4) [SI]; NaN without one
+  std::vector<std::size_t> points;  ///< numbers of the measured points on it
+};
+
+/// "b.csv" of a point that stands at "b.csv:12".
+std::string table_of(const CalibrateResult::Point& point);
+/// What the bench varied for a quantity: the speed or torque that it is read at, else the parameter with most values; none
+/// if all were read alike.
+std::optional<NamedValue> axis_of(const std::vector<CalibrateResult::Point>& data,
+                                  const CalibrateResult::Point& point);
+/// Where on this axis a point was read [SI]; NaN if the bench did not say.
+double place_on(const CalibrateResult::Point& point, const NamedValue& over);
+
+/// The curves that the measured points lie on: one for each quantity, setting of the bench and table with values of its
+/// own. Readings without anything that the bench varied have none.
+std::vector<FitCurve> fit_curves(const StudyFile& study, const CalibrateResult& result);
+
+}  // namespace twum::studies

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/motors/statistic.hpp>
+#include <twum/motors/varied_parameters.hpp>
+#include <twum/optim/options.hpp>
+#include <twum/studies/motor_problem.hpp>
+#include <twum/studies/tolerance.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// @file
+/// The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
+
+namespace twum::studies {
+
+class StudyKindRun;
+struct StudyFile;
+template <typename T>
+struct Shape;
+
+/// Torque-speed curves of one motor, or of a family over one parameter.
+struct CurveStudy {
+  static constexpr std::string_view kName{"curve"};  ///< as in `kind:`
+  static Shape<CurveStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// One parameter and its values.
+  struct Family {
+    Parameter parameter{};       ///< which one
+    std::vector<double> values;  ///< SI, at least one
+  };
+  std::optional<Family> family;  ///< none: the motor alone
+  std::uint64_t points{51};      ///< of each curve, at least 2
+};
+
+/// Which way a frequency is swept.
+enum class SweepDirection : unsigned char { up, down, both };
+
+/// Slow sweeps of the drive's frequency, of one motor under a voltage or of a family over one parameter.
+struct FrequencyStudy {
+  static constexpr std::string_view kName{"frequency"};  ///< as in `kind:`
+  static Shape<FrequencyStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::optional<CurveStudy::Family> family;  ///< none: the motor alone
+  std::optional<double> from;                ///< [Hz]; none: below all resonances and jumps
+  std::optional<double> to;                  ///< [Hz]; none: above all jumps
+  std::uint64_t points{201};                 ///< of each sweep, at least 2
+  /// Load [N m]; more than one are a family over it; none: 0, unless a speed is given.
+  std::optional<std::vector<double>> torque;
+  std::optional<double> speed;  ///< speed of the rotor [rad/s], in place of a torque
+  SweepDirection direction{SweepDirection::both};  ///< of the sweeps
+};
+
+/// How the designs of a sweep are chosen.
+enum class Sampling : unsigned char { grid, list, lhs, sobol };
+
+/// As in `sampling:`; static lifetime.
+std::string_view to_string(Sampling sampling);
+
+/// The metrics of a grid, list or sample of designs.
+struct SweepStudy {
+  static constexpr std::string_view kName{"sweep"};  ///< as in `kind:`
+  static Shape<SweepStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// The values of one parameter: a list or a range.
+  struct Variable {
+    Parameter parameter{};       ///< which one
+    std::vector<double> values;  ///< SI; empty: the range is used
+    double min{0};               ///< SI
+    double max{0};               ///< SI
+    std::uint64_t points{5};     ///< of a grid, both ends included
+    bool log{false};             ///< logarithmic scale; min > 0
+  };
+  std::vector<Variable> variables;        ///< at least one
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
+  Sampling sampling{Sampling::grid};      ///< how designs are chosen
+  std::vector<MetricExpression> metrics;  ///< what is computed
+  std::uint64_t samples{1000};            ///< designs, of lhs and sobol
+  std::uint64_t seed{1};                  ///< of lhs and sobol
+};
+
+/// Methods of sensitivity studies.
+enum class SensitivityMethod : unsigned char { local, morris, sobol };
+
+/// The influence of parameters on metrics.
+struct SensitivityStudy {
+  static constexpr std::string_view kName{"sensitivity"};  ///< as in `kind:`
+  static Shape<SensitivityStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
+  std::vector<DesignVariable> variables;               ///< `start` counts for local only
+  std::vector<DerivedParameter> derived;               ///< what follows from the variables
+  std::vector<MetricExpression> metrics;               ///< of what
+  /// Trajectories (morris) or base samples (sobol); none: standard_samples().
+  std::optional<std::uint64_t> samples;
+  double confidence{0.95};      ///< level of the intervals
+  std::optional<double> width;  ///< sobol: doubles the samples until no interval is wider
+  std::optional<std::uint64_t> max_samples;  ///< sobol: none: 64 times the samples
+  std::uint64_t seed{1};                     ///< of whatever is random
+};
+/// Default number of samples of a method: 32 trajectories or 1024 base samples.
+std::uint64_t standard_samples(SensitivityMethod method);
+
+/// The best design under constraints.
+struct OptimizeStudy {
+  static constexpr std::string_view kName{"optimize"};  ///< as in `kind:`
+  static Shape<OptimizeStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::vector<DesignVariable> variables;   ///< what may be changed
+  std::vector<DerivedParameter> derived;   ///< what follows from the variables
+  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
+  DesignObjective objective;               ///< objective: a metric or a statistic
+  std::vector<MotorLimit> constraints;     ///< what must hold
+  std::vector<Tolerance> tolerances;       ///< tolerances of built motors; may be empty
+  std::vector<StatisticLimit> statistics;  ///< limits on the built motors
+  optim::SolveOptions solver;              ///< observer, threads and stop are the run's
+  std::string start;                       ///< result directory to start from; empty: the motor
+};
+
+/// The trade-off front of two or three metrics.
+struct ParetoStudy {
+  static constexpr std::string_view kName{"pareto"};  ///< as in `kind:`
+  static Shape<ParetoStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// A front takes ten times the evaluations of an optimum.
+  static optim::SolveOptions standard_solver() {
+    optim::SolveOptions options;
+    options.budget.evaluations = 200000;
+    options.scan = 0;
+    return options;
+  }
+  std::vector<DesignVariable> variables;          ///< what may be changed
+  std::vector<DerivedParameter> derived;          ///< what follows from the variables
+  std::vector<DesignChoice> choose;               ///< sets of parameters of which a design has one
+  std::vector<DesignObjective> objectives;        ///< two or three
+  std::vector<MotorLimit> constraints;            ///< what must hold
+  std::vector<Tolerance> tolerances;              ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics;         ///< as in OptimizeStudy
+  std::uint64_t points{50};                       ///< of the front
+  optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
+  std::string start;  ///< result directory to start from; empty: the motor
+};
+
+/// A motor for a duty.
+struct SizeStudy {
+  static constexpr std::string_view kName{"size"};  ///< as in `kind:`
+  static Shape<SizeStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::vector<DesignVariable> variables;   ///< what may be changed
+  std::vector<DerivedParameter> derived;   ///< what follows from the variables
+  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
+  std::vector<MotorLimit> duty;            ///< torque_at(SPEED) >= LOAD of each point
+  std::vector<MotorLimit> limits;          ///< what else must hold
+  std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
+  /// objective among the motors that can do the duty
+  DesignObjective prefer{parse_metric("max_pressure")};
+  optim::SolveOptions solver;  ///< as in OptimizeStudy
+  std::string start;           ///< result directory to start from; empty: the motor
+};
+
+/// Spread and yield under tolerances.
+struct UncertaintyStudy {
+  static constexpr std::string_view kName{"uncertainty"};  ///< as in `kind:`
+  static Shape<UncertaintyStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::vector<Tolerance> variables;                ///< what is uncertain, independently
+  std::vector<DerivedParameter> derived;           ///< what follows from the variables
+  std::vector<MetricExpression> metrics;           ///< of what
+  std::uint64_t samples{10000};                    ///< motors that are drawn
+  std::vector<MotorLimit> limits;                  ///< of the yield; none: no yield
+  std::vector<double> quantiles{0.05, 0.5, 0.95};  ///< probabilities in (0, 1)
+  std::uint64_t seed{1};                           ///< of the draws
+  /// result directory whose best design is taken as the motor; empty: the motor of the file
+  std::string start;
+};
+
+/// Solver of a calibration, in the order of optim::least_squares_solvers().
+enum class FitSolver : unsigned char { own, gsl };
+
+/// Loss function of a calibration.
+enum class FitLoss : unsigned char { squares, huber };
+
+/// Source of the scatter behind the intervals of a calibration: the residuals of all data, the standard deviations in
+/// the data, or the residuals of each column of each table.
+enum class Scatter : unsigned char { estimated, stated, by_column };
+
+/// Parameters from measurements.
+struct CalibrateStudy {
+  static constexpr std::string_view kName{"calibrate"};  ///< as in `kind:`
+  static Shape<CalibrateStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// paths of the tables of measurements; none: plan the first measurements
+  std::vector<std::string> data;
+  std::vector<DesignVariable> variables;  ///< what is estimated
+  std::vector<Parameter> per_file;  ///< of these: with a value of its own in each of several tables
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
+  double confidence{0.95};                ///< level of the intervals
+  Scatter scatter{Scatter::estimated};    ///< what the width of the intervals follows from
+  FitLoss loss{FitLoss::squares};         ///< how residuals count
+  std::uint64_t starts{8};                ///< local fits from different starts
+  FitSolver solver{FitSolver::own};       ///< of each of them
+  std::uint64_t seed{1};                  ///< of the starts
+};
+
+/// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.
+using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
+                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy>;
+
+/// The kinds of study.
+enum class StudyKind : unsigned char {
+  curve,
+  sweep,
+  sensitivity,
+  optimize,
+  pareto,
+  size,
+  uncertainty,
+  calibrate,
+  frequency
+};
+
+/// The kind of a study.
+inline StudyKind kind_of(const Study& study) { return static_cast<StudyKind>(study.index()); }
+
+/// Names as in `kind:`, in the order of StudyKind; static lifetime.
+std::span<const std::string_view> study_kinds();
+
+/// The kind with a name, if there is one.
+std::optional<StudyKind> find_study_kind(std::string_view name);
+
+/// The name of a kind; static lifetime.
+std::string_view to_string(StudyKind kind);
+
+}  // namespace twum::studies

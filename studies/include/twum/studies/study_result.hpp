@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/io/column.hpp>
+#include <twum/studies/sample_results.hpp>
+#include <twum/studies/search_results.hpp>
+#include <twum/studies/study_file.hpp>
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace twum::studies {
+
+/// The region of the variables in which evaluations failed for one reason.
+struct FailureRegion {
+  /// Values of one variable at the failures.
+  struct Range {
+    StoredColumn variable;  ///< which one
+    double low;             ///< smallest value at a failure, SI
+    double high;            ///< largest
+  };
+  std::string reason;        ///< short, as in `failures`
+  std::uint64_t count{0};    ///< how many
+  std::vector<Range> where;  ///< every variable of the study
+};
+
+/// Answer of a study, by kind.
+using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
+                            ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult>;
+
+/// Result of a study. A size study has the answer of optimize.
+struct StudyResult {
+  std::string study;                 ///< name: that of the file without extension
+  StudyKind kind{StudyKind::curve};  ///< what it asked
+  std::string motor;                 ///< name of the motor
+  /// the motor that was varied: that of the file, or the design of the earlier study that `start:` names
+  MotorDesign design{};
+  /// Outcome: "interrupted" if a stop was requested, otherwise
+  /// * of a search: "optimal", "feasible", "infeasible", "budget" or "failed";
+  /// * of a calibration: one of these words, or
+  ///   "fitted",
+  ///   "poor" if the motor does not follow the points,
+  ///   "at-bounds" if every parameter is at an end of its range,
+  ///   "several" if different motors fit equally well,
+  ///   "undetermined" if the points do not determine every parameter;
+  /// * of other kinds: "done", or "failed" if nothing could be evaluated.
+  std::string outcome;
+  std::uint64_t evaluations{0};                   ///< rows of the store
+  std::map<std::string, std::uint64_t> failures;  ///< count by reason
+  std::vector<FailureRegion> failure_regions;     ///< one for each reason
+  std::uint64_t seed{0};                          ///< seed of all random choices
+  std::string started;  ///< date and time (UTC, ISO 8601) of the first run, if it was interrupted
+  double seconds{0};    ///< time of all runs together [s]
+  bool was_complete{false};  ///< the directory held this result already
+  std::string hash;          ///< hash of the resolved study and of the files that it names
+  Answer answer;             ///< answer, by kind
+  /// Reasons to doubt the model for the motors of the answer, a sentence each; see model_notes().
+  std::vector<std::string> model_notes;
+  /// Motor files of the answer in the directory: best.yaml, front/01.yaml, fitted.yaml.
+  std::vector<std::string> motor_files;
+};
+
+/// The text of summary.json: SI, flat names. Except for times, the same byte for byte for any number of threads and
+/// interruptions.
+std::string summary_json(const StudyResult& result);
+
+/// The summary for a terminal: engineering units and sentences, no colour.
+/// @param said  notes that were shown before and are left out
+std::string summary_text(const StudyResult& result, std::span<const std::string> said = {});
+
+}  // namespace twum::studies

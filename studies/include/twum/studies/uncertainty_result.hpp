@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/io/column.hpp>
+#include <twum/studies/estimate.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Answer of an uncertainty study: the distribution of metrics over random motors within tolerances.
+struct UncertaintyResult {
+  /// Value below which a given share of the motors lies.
+  struct Quantile {
+    double probability;  ///< in (0, 1)
+    Estimate value;      ///< SI
+  };
+  /// Distribution of one metric.
+  struct Metric {
+    StoredColumn column;              ///< its name and unit
+    std::uint64_t count{0};           ///< motors that have a value; the others do not count below
+    Estimate mean;                    ///< SI
+    Estimate sd;                      ///< standard deviation, SI
+    std::vector<Quantile> quantiles;  ///< in the order asked
+  };
+  /// Share of motors that meet one limit.
+  struct Limit {
+    std::string text;    ///< as typed
+    std::string metric;  ///< what is limited
+    double lower;        ///< SI; -infinity: none
+    double upper;        ///< SI; infinity: none
+    Estimate kept;       ///< fraction of motors
+  };
+  /// A variable whose distribution reaches beyond its admissible range.
+  struct CutOff {
+    std::string variable;  ///< its name
+    double share;          ///< share of the distribution that was cut off
+  };
+
+  double confidence{0.95};   ///< level of all intervals
+  std::uint64_t samples{0};  ///< motors drawn
+  std::uint64_t failed{0};   ///< of these, failed or incomplete
+  /// of these, motors without a value that a limit needs; they count as violating it
+  std::uint64_t no_value{0};
+  std::string start;  ///< the other study whose best design is the motor; empty: none
+  /// the motor without its tolerances: the varied parameters, and those of the other study's design
+  std::vector<NamedValue> nominal;
+  std::vector<StoredColumn> variables;  ///< in the order of the study
+  std::vector<CutOff> cut_off;          ///< distributions that reach beyond the admissible range
+  std::vector<Metric> metrics;          ///< in the order asked
+  std::vector<Limit> limits;            ///< in the order of the study
+  /// fraction of motors that meet all limits; nothing if there are no limits
+  std::optional<Estimate> yield;
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/io/number.hpp>
+
+#include "text/utf8.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace twum::studies {
+namespace {
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_digit(text[at])) ++at;
+  return at;
+}
+
+// Reads all of [first, last). std::from_chars does not accept '+', but accepts "inf" and "nan".
+std::optional<double> read_all(const char* first, const char* last) noexcept {
+  double value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc{} || end != last || !std::isfinite(value)) return {};
+  return value;
+}
+
+}  // namespace
+
+std::size_t number_prefix(std::string_view text) noexcept {
+  std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
+  const std::size_t whole = skip_digits(text, at);
+  std::size_t end = whole;
+  std::size_t digits = whole - at;
+  if (end < text.size() && text[end] == '.') {
+    const std::size_t fraction = skip_digits(text, end + 1);
+    digits += fraction - end - 1;
+    end = fraction;
+  }
+  if (digits == 0) return 0;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    at = end + 1;
+    if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
+    const std::size_t exponent = skip_digits(text, at);
+    if (exponent > at) end = exponent;
+  }
+  return end;
+}
+
+std::optional<double> parse_number(std::string_view text) noexcept {
+  if (text.empty() || number_prefix(text) != text.size()) return {};
+  if (text.front() == '+') text.remove_prefix(1);
+  return read_all(text.data(), text.data() + text.size());
+}
+
+std::optional<double> parse_decimal(std::string_view text, int power) noexcept {
+  if (power == 0) return parse_number(text);
+  if (text.empty() || number_prefix(text) != text.size()) return {};
+  if (text.front() == '+') text.remove_prefix(1);
+  const std::size_t mark = text.find_first_of("eE");
+  const std::string_view mantissa = text.substr(0, mark);
+  int exponent = 0;
+  if (mark != std::string_view::npos) {
+    std::string_view digits = text.substr(mark + 1);
+    if (digits.front() == '+') digits.remove_prefix(1);
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error != std::errc{} || exponent > 100000 || exponent < -100000) return {};
+  }
+  std::array<char, 96> buffer{};
+  if (mantissa.size() > 64) {  // so many digits that a second rounding no longer matters
+    const auto value = parse_number(text);
+    if (!value || !std::isfinite(*value * std::pow(10.0, power))) return {};
+    return *value * std::pow(10.0, power);
+  }
+  std::memcpy(buffer.data(), mantissa.data(), mantissa.size());
+  char* at = buffer.data() + mantissa.size();
+  *at++ = 'e';
+  at = std::to_chars(at, buffer.data() + buffer.size(), exponent + power).ptr;
+  return read_all(buffer.data(), at);
+}
+
+void append_number(std::string& out, double value) {
+  if (std::isnan(value)) return;
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  out.append(buffer.data(), end);
+}
+
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string rounded_text(double value, int digits) {
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::general, digits)
+                       .ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/io/units.hpp>
+
+#include "text/utf8.hpp"
+#include "units/unit_definitions.hpp"
+#include "units/unit_system.hpp"
+
+#include <twum/io/dimension.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+// Usual units, suggested for mistyped ones.
+constexpr std::array<std::string_view, 45> kUsualUnits{
+    "nm",     "um",     "mm",    "cm",   "m",      "Pa",    "kPa",    "MPa",     "GPa",
+    "N",      "mN",     "kN",    "N.m",  "mN.m",   "N.cm",  "rpm",    "rad/s",   "Hz",
+    "kHz",    "MHz",    "W",     "mW",   "kW",     "W/m^2", "kW/m^2", "W/cm^2",  "W/mm^2",
+    "kg/m^3", "g/cm^3", "N.s/m", "Pa.s", "Pa.s^2", "deg",   "rad",    "rev/min", "N/mm^2",
+    "bar",    "s",      "ms",    "%",    "ohm",    "mH",    "nF",     "N/V",     "1/s"};
+
+bool dimensionless(std::string_view unit) { return unit == "1"; }
+
+std::string article(std::string_view noun) {
+  const bool vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + std::string(noun);
+}
+
+// "expected a length [m] such as '0.3 mm'"
+std::string expectation(std::span<const Expected> expected) {
+  std::string text = "expected ";
+  for (const Expected& one : expected) {
+    if (&one != expected.data()) text += " or ";
+    text += dimension_phrase(one.unit);
+    if (!one.example.empty()) text += " such as '" + std::string(one.example) + "'";
+  }
+  return text;
+}
+
+// The dimension of a known unit: "a force [N]".
+std::string phrase_of_unit(std::string_view unit) {
+  if (factor_to(unit, "1")) return "a number without dimension";
+  for (const NamedDimension& named : kDimensions) {
+    if (factor_to(unit, named.unit)) return dimension_phrase(named.unit);
+  }
+  return "something in " + quoted(unit);
+}
+
+bool fits_any(std::string_view unit, std::span<const Expected> expected) {
+  return std::any_of(expected.begin(), expected.end(),
+                     [&](const Expected& one) { return factor_to(unit, one.unit).has_value(); });
+}
+
+// Units of data sheets and workshops, and their names here.
+std::string_view usual_unit_for(std::string_view unit) {
+  static constexpr std::pair<std::string_view, std::string_view> kSaid[] = {
+      {"1/min", "rpm"},  {"U/min", "rpm"},     {"min^-1", "rpm"}, {"min-1", "rpm"},
+      {"tr/min", "rpm"}, {"r/min", "rpm"},     {"/min", "rpm"},   {"micron", "um"},
+      {"microns", "um"}, {"N/sqmm", "N/mm^2"}, {"Nmm", "mN.m"},   {"Ncm", "N.cm"},
+      {"Nm", "N.m"}};
+  for (const auto& [said, usual] : kSaid) {
+    if (said == unit) return usual;
+  }
+  return {};
+}
+
+// expectation(), then the unit that may be meant, if there is one.
+std::string expectation(std::span<const Expected> expected, std::string_view meant) {
+  const std::string hint =
+      meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?";
+  return expectation(expected) + hint;
+}
+
+std::string expectation_instead_of(std::string_view unit, std::span<const Expected> expected) {
+  const std::string_view usual = usual_unit_for(unit);
+  const bool fits = !usual.empty() && fits_any(usual, expected);
+  return expectation(expected, fits ? usual : std::string_view());
+}
+
+// A usual unit of the right dimension that the text may stand for; empty if there is none.
+std::string_view usual_unit_near(std::string_view unit, std::span<const Expected> expected) {
+  const std::string_view known = usual_unit_for(unit);
+  if (!known.empty() && fits_any(known, expected)) return known;
+  std::vector<std::string_view> candidates;
+  for (const std::string_view usual : kUsualUnits) {
+    // Spelling first, which takes a hundredth of the time of asking for dimensions.
+    if (nearest(unit, std::span(&usual, 1)).empty()) continue;
+    if (fits_any(usual, expected)) candidates.push_back(usual);
+  }
+  return nearest(unit, candidates);
+}
+
+// The scale of a unit to the first expected dimension that it has.
+struct Match {
+  Scale scale;
+  std::size_t which;
+};
+
+Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
+                 std::span<const Expected> expected) {
+  if (const std::string wrong = unit_form_complaint(unit); !wrong.empty()) {
+    throw ValueError(quoted(whole) + ": " + quoted(unit) + " " + wrong,
+                     expectation_instead_of(unit, expected), at);
+  }
+  if (!is_unit(unit)) {
+    throw ValueError(quoted(whole) + ": unknown unit " + quoted(unit),
+                     expectation(expected, usual_unit_near(unit, expected)), at);
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (const auto factor = factor_to(unit, expected[i].unit)) return {Scale(*factor), i};
+  }
+  throw ValueError(quoted(whole) + " is " + phrase_of_unit(unit),
+                   expectation_instead_of(unit, expected), at);
+}
+
+std::string without(std::string_view text, char separator) {
+  std::string rest(text);
+  std::erase(rest, separator);
+  return rest;
+}
+
+// Whether commas stand before groups of three digits only, as in "1,200" and "1,200.5".
+bool groups_thousands(std::string_view number, char separator) {
+  const std::size_t first = number.find(separator);
+  if (first == std::string_view::npos || first == 0 || first > 3 || number[0] == '0') return false;
+  for (std::size_t at = first; at < number.size() && number[at] == separator; at += 4) {
+    const std::string_view group = number.substr(at + 1, 3);
+    const bool digits = group.size() == 3 && std::ranges::all_of(group, is_digit);
+    const bool longer = at + 4 < number.size() && is_digit(number[at + 4]);
+    if (!digits || longer) return false;
+  }
+  return true;
+}
+
+// A comma is the decimal sign of some and separates the thousands of others. Where both readings are possible, both are offered.
+void refuse_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return;
+  const std::size_t end = text.find_first_not_of("+-0123456789.,");
+  const std::string_view number = text.substr(0, end);
+  if (comma >= number.size()) return;  // no part of a number
+  const std::string unit(end == std::string_view::npos ? std::string_view() : text.substr(end));
+  const auto shown = [&](const std::string& digits) { return studies::quoted(digits + unit); };
+  std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"
+  if (const std::size_t at = pointed.find(','); at != std::string::npos) pointed[at] = '.';
+  const std::string whole = without(number, ',');
+  const bool decimal = number_prefix(pointed) == pointed.size();
+  const bool thousands = groups_thousands(number.substr(number.find_first_not_of("+-")), ',') &&
+                         number_prefix(whole) == whole.size();
+  const bool points = number.find('.') != std::string_view::npos;
+  if (thousands && decimal && !points)
+    throw ValueError(studies::quoted(text) +
+                         " has a comma, which may stand for a decimal point or "
+                         "separate thousands",
+                     "write " + shown(pointed) + " or " + shown(whole), comma);
+  if (thousands)
+    throw ValueError(studies::quoted(text) + " has commas between thousands",
+                     "write " + shown(whole), comma);
+  if (decimal && (!points || number.find('.') < comma))
+    throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + shown(pointed),
+                     comma);
+}
+
+[[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {
+  if (text.empty()) throw ValueError("empty", expectation(expected));
+  refuse_comma(text);
+  throw ValueError(quoted(text) + " is not a number", expectation(expected));
+}
+
+}  // namespace
+
+Scale::Scale(double factor) : factor_(factor), power_() {
+  const double power = std::round(std::log10(factor));
+  // UDUNITS multiplies prefixes and powers one by one; a few roundings of 1e-16 each.
+  if (std::abs(power) < 300 && std::abs(factor / std::pow(10.0, power) - 1) < 4e-15) {
+    power_ = static_cast<int>(power);
+    factor_ = std::pow(10.0, power);
+  }
+}
+
+std::optional<double> Scale::read(std::string_view number) const noexcept {
+  if (power_) return parse_decimal(number, *power_);
+  const auto value = parse_number(number);
+  if (!value || !std::isfinite(*value * factor_)) return {};
+  return *value * factor_;
+}
+
+Quantity parse_quantity(std::string_view text, std::span<const Expected> expected) {
+  text = trimmed(text);
+  const std::size_t length = number_prefix(text);
+  if (length == 0) no_number(text, expected);
+  const std::string_view number = text.substr(0, length);
+  const std::string_view unit = trimmed(text.substr(length));
+  if (!unit.empty() && unit.front() == ',') no_number(text, expected);
+
+  Match match{Scale(), 0};
+  if (unit.empty()) {
+    while (match.which < expected.size() && !dimensionless(expected[match.which].unit))
+      ++match.which;
+    if (match.which == expected.size()) {
+      throw ValueError(quoted(text) + " has no unit", expectation(expected), length);
+    }
+  } else {
+    match = match_unit(unit, text, text.size() - unit.size(), expected);
+  }
+  const auto value = match.scale.read(number);
+  if (!value)
+    throw ValueError(quoted(text) + " is beyond the range of numbers", expectation(expected));
+  return {*value, match.which};
+}
+
+Measure parse_measure(std::string_view text) {
+  text = trimmed(text);
+  const std::string_view unit = trimmed(text.substr(number_prefix(text)));
+  if (unit.empty()) return {parse_quantity(text, {"1", ""}), {}};
+  if (!unit_form_complaint(unit).empty() || !is_unit(unit)) {
+    const std::string_view meant = nearest(unit, kUsualUnits);
+    throw ValueError(quoted(text) + ": unknown unit " + quoted(unit),
+                     meant.empty() ? "expected a unit such as 'N.m' or 'W/m^2'"
+                                   : "did you mean '" + std::string(meant) + "'?",
+                     text.size() - unit.size());
+  }
+  constexpr int kMostPower = 20;  // limit of the powers; beyond 255 UDUNITS cannot represent them
+  for (const int power : base_powers(unit)) {
+    if (std::abs(power) > kMostPower)
+      throw ValueError(quoted(text) + ": " + quoted(unit) + " is of too high a power",
+                       "expected a unit such as 'N.m' or 'W/m^2'", text.size() - unit.size());
+  }
+  const Dimension dimension = Dimension(unit);
+  return {parse_quantity(text, {dimension.unit(), ""}), dimension};
+}
+
+double parse_quantity(std::string_view text, const Expected& expected) {
+  return parse_quantity(text, std::span(&expected, 1)).value;
+}
+
+Scale parse_unit(std::string_view unit, const Expected& expected) {
+  unit = trimmed(unit);
+  if (unit.empty() || unit == "1" || unit == "-") {
+    if (dimensionless(expected.unit)) return {};
+    throw ValueError(quoted(unit) + " is not a unit", expectation(std::span(&expected, 1)));
+  }
+  return match_unit(unit, unit, 0, std::span(&expected, 1)).scale;
+}
+
+std::string_view dimension_name(std::string_view si_unit) {
+  const auto* found = std::find_if(std::begin(kDimensions), std::end(kDimensions),
+                                   [&](const NamedDimension& d) { return d.unit == si_unit; });
+  return found == std::end(kDimensions) ? std::string_view() : found->name;
+}
+
+std::string dimension_phrase(std::string_view si_unit) {
+  if (dimensionless(si_unit)) return "a number without unit";
+  const std::string bracketed = " [" + std::string(si_unit) + "]";
+  const std::string_view name = dimension_name(si_unit);
+  return (name.empty() ? std::string("a quantity") : article(name)) + bracketed;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/parameters.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace twum::studies {
+
+/// A motor as its file gives it, in SI.
+struct GivenMotor {
+  std::string name{};
+  std::vector<ParameterValue> values{};
+  std::vector<std::pair<double, double>> shape_table{};  ///< radius and R
+  std::optional<Branch> branch{};
+  std::optional<EquivalentCircuit> circuit{};
+  std::optional<stator::InnerEdge> inner_edge{};  ///< of the geometry
+  std::string material{};                         ///< of the block that is being read
+
+  std::optional<double> value(Parameter parameter) const {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [=](const auto& one) { return one.first == parameter; });
+    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
+  }
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/motors/model_notes.hpp>
+
+#include "file/drive_notes.hpp"
+
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/core/plate.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/motors/curve_points.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+// The box of docs/theory/contact-model.md, section 10, in which random motors are tested. A value of 0
+// is a limit of the model that has tests of its own.
+struct Range {
+  Parameter parameter;
+  double low;
+  double high;
+};
+
+constexpr Range kTested[] = {
+    {Parameter::wavelengths, 1, 30},
+    {Parameter::contact_radius, 2e-3, 0.1},
+    {Parameter::neutral_plane_distance, 0.2e-3, 10e-3},
+    {Parameter::frequency, 20e3, 150e3},
+    {Parameter::amplitude, 0.05e-6, 5e-6},
+    {Parameter::thickness, 10e-6, 5e-3},
+    {Parameter::youngs_modulus, 1e6, 500e9},
+    {Parameter::density, 500, 8000},
+    {Parameter::loss_factor, 0, 2},
+    {Parameter::kinetic_friction, 0, 1},
+};
+
+// Compares with a tolerance, because a value typed like a limit may differ from it in the last bit.
+bool outside(double value, double low, double high) {
+  constexpr double kRounding = 1e-12;
+  return value < low * (1 - kRounding) || value > high * (1 + kRounding);
+}
+
+void add_range(const MotorDesign& design, const Range& range, std::vector<ModelNote>& notes) {
+  const double value = get(design, range.parameter);
+  const bool stated = in_use(design, range.parameter) || range.parameter == Parameter::loss_factor;
+  if (!stated || value == 0 || !outside(value, range.low, range.high)) return;
+  const ParameterInfo& row = info(range.parameter);
+  const auto shown = [&](double v) { return v == 0 ? "0" : engineering(v, row.unit); };
+  const double off = value > range.high ? value / range.high : range.low / value;
+  notes.push_back({std::string(row.name), off,
+                   std::string(row.name) + " " + shown(value) + " is outside " + shown(range.low) +
+                       " to " + shown(range.high) + ", where the solver is tested" +
+                       (row.unit == "1" ? "" : " (is its unit right?)")});
+}
+
+void add_ratio(const std::string& topic, double ratio, double low, double high,
+               const std::string& what, std::vector<ModelNote>& notes) {
+  if (!std::isfinite(ratio) || ratio == 0 || !outside(ratio, low, high)) return;
+  notes.push_back({topic, ratio > high ? ratio / high : low / ratio,
+                   what + " is " + rounded_text(ratio, 3) + ", outside " + rounded_text(low, 2) +
+                       " to " + rounded_text(high, 2) + ", where the solver is tested"});
+}
+
+void add_ratios(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  add_ratio("contact_width",
+            get(design, Parameter::contact_width) / get(design, Parameter::contact_radius), 0.02,
+            0.4, "contact_width / contact_radius", notes);
+  add_ratio("static_friction",
+            get(design, Parameter::static_friction) / get(design, Parameter::kinetic_friction), 1,
+            2, "static_friction / kinetic_friction", notes);
+}
+
+void add_load(const Motor& motor, std::vector<ModelNote>& notes) {
+  add_ratio("preload", motor.contact().load_ratio, 1e-6, 10,
+            "preload in parts of that of full contact", notes);
+}
+
+void add_thick_layer(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
+  constexpr double kThin = 0.1;
+  const double length = 2 * motor.contact().half_length;
+  const double thickness = get(design, Parameter::thickness);
+  const double part = thickness / length;
+  if (std::isfinite(part) && part > kThin * (1 + 1e-9))  // without preload there is no contact
+    notes.push_back({"thick layer", part,
+                     "thickness " + engineering(thickness, "m") + " is " + about(100 * part) +
+                         " % of the contact length " + engineering(length, "m") +
+                         " (twice contact_half_length); the elastic-foundation "
+                         "assumption holds up to about 10 %"});
+}
+
+void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
+  constexpr double kClosed = 0.5;
+  add_thick_layer(design, motor, notes);
+  if (motor.crest_speed() > 0 && motor.contact().ratio >= kClosed)
+    notes.push_back({"full contact", 0,
+                     "the layer touches the stator all round (contact_ratio 0.5), which would "
+                     "hinder a real wave"});
+}
+
+// The note on two similar modes of the stator, of which one was taken for the wave.
+void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  if (!design.stator.geometry) return;
+  switch (plate_model(design, stator::OtherModes::none)->identity) {
+    case stator::ModeIdentity::clear: break;
+    case stator::ModeIdentity::shared:
+      notes.push_back(
+          {"two modes of the stator", 0,
+           "the stator has two modes with the wave's number of wavelengths that keep their "
+           "sign on the ring, with modal masses within a factor of two; the lighter is taken "
+           "for the wave, and it changes quickly with the geometry"});
+      break;
+    case stator::ModeIdentity::crossing:
+      notes.push_back(
+          {"two modes of the stator", 0,
+           "two modes of the stator with the wave's number of wavelengths have the same "
+           "frequency; metrics have no derivatives here, so change the web or the ring a "
+           "little before a search starts from this motor"});
+  }
+}
+
+// The change of a metric from one slice to the whole track, relative; 0 if one of them has none.
+double change(const Motor& one, const Motor& track, Metric metric) {
+  const MetricValue before = evaluate(one, {metric}), after = evaluate(track, {metric});
+  const bool known = before.status == MetricStatus::ok && after.status == MetricStatus::ok;
+  return known && before.value != 0 ? after.value / before.value - 1 : 0;
+}
+
+// The speeds up to no-load at which a free backward wave grows, where that is known (D6.8).
+struct SquealSpeeds {
+  double fastest{-1};  // largest such speed; negative if there is none [rad/s]
+  double fed{0};       // largest fed_damping there [N s/m]
+  double rate{0};      // largest, where it is known [1/s]
+};
+
+// Looks at equal distances; beyond the last that squeals, the end is found by halving.
+SquealSpeeds squeal_speeds(const Motor& motor, double no_load) {
+  constexpr int kLooks = 16;
+  constexpr int kHalvings = 10;  // leave 6e-5 of the no-load speed, a unit of the last digit shown
+  SquealSpeeds found;
+  const auto squeals_at = [&](double speed) {
+    const BackwardWave wave = motor.backward_wave(speed);
+    if (!squeals(motor.design(), wave).value_or(false)) return false;
+    found = {std::fmax(found.fastest, speed), std::fmax(found.fed, wave.fed_damping),
+             std::fmax(found.rate, wave.squeal_rate)};
+    return true;
+  };
+  const double step = no_load / kLooks;
+  for (int i = 0; i < kLooks; ++i) squeals_at(i * step);
+  if (found.fastest < 0) return found;
+  double quiet = found.fastest + step;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (found.fastest + quiet);
+    if (!squeals_at(middle)) quiet = middle;
+  }
+  return found;
+}
+
+void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
+  const MetricValue no_load = evaluate(motor, {Metric::no_load_speed});
+  if (no_load.status != MetricStatus::ok) return;
+  const bool modal = has_modal_data(motor.design());
+  const double given = modal_damping(motor.design()), damping = given > 0 ? given : 0;
+  const SquealSpeeds squeal = squeal_speeds(motor, no_load.value);
+  if (squeal.fastest < 0) return;
+  const auto in_words = [](double d) { return rounded_text(d, 4) + " N.s/m"; };
+  const std::string cause =
+      modal ? "friction lets a backward wave grow by up to " + rounded_text(squeal.rate, 4) +
+                  " 1/s (squeal_rate_at)"
+            : "friction feeds a backward wave with up to " + in_words(squeal.fed) +
+                  (damping > 0 ? ", more than the modal_damping of " + in_words(damping)
+                               : ", and modal_damping is not given");
+  notes.push_back(
+      {"squeal", modal ? squeal.rate : squeal.fed,
+       "the motor squeals under load at speeds up to " + engineering(squeal.fastest, "rad/s") +
+           ": " + cause +
+           "; a heavy rotor then loses up to half of the torque, which is not computed"});
+}
+
+}  // namespace
+
+std::vector<ModelNote> model_notes(const MotorDesign& design) { return model_notes(Motor(design)); }
+
+std::vector<ModelNote> model_notes(const Motor& motor) {
+  const MotorDesign& design = motor.design();
+  std::vector<ModelNote> notes;
+  for (const Range& range : kTested) add_range(design, range, notes);
+  add_ratios(design, notes);
+  add_load(motor, notes);
+  add_contact(design, motor, notes);
+  add_modes(design, notes);
+  if (!motor.slices_settled())
+    notes.push_back(
+        {"slices", 0,
+         "radial_slices auto found no number of slices that is accurate to 1e-6 and takes " +
+             std::to_string(std::abs(motor.radial_slices())) +
+             "; compare with 'radial_slices: 64' before you rely on the third digit"});
+  return notes;
+}
+
+std::string tested_range_note(const MotorDesign& design, Parameter parameter) {
+  std::vector<ModelNote> notes;
+  for (const Range& range : kTested) add_range(design, range, notes);
+  add_ratios(design, notes);
+  if (parameter == Parameter::preload) add_load(Motor(design), notes);
+  const auto note = std::find_if(notes.begin(), notes.end(), [&](const ModelNote& one) {
+    return one.topic == info(parameter).name;
+  });
+  return note == notes.end() ? std::string() : note->text;
+}
+
+std::string thick_layer_note(const MotorDesign& design) {
+  std::vector<ModelNote> notes;
+  add_thick_layer(design, Motor(design), notes);
+  return notes.empty() ? std::string() : notes.front().text;
+}
+
+std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
+  const Motor motor(design);
+  std::vector<ModelNote> notes = model_notes(motor);
+  if (const auto drive = drive_note(motor)) notes.push_back(*drive);
+  add_squeal(motor, notes);
+  constexpr double kMatters = 0.02;
+  constexpr int kSlices = 8;
+  MotorDesign wide = design;
+  wide.stator.radial_slices = kSlices;
+  if (design.stator.radial_slices != 1 || !complaints(wide).empty()) return notes;
+  const Motor track(wide);
+  std::string text;
+  double worst = 0;
+  std::vector<Metric> compared{Metric::stall_torque, Metric::no_load_speed};
+  // Where the torque of each wave may jump, the largest power takes seconds.
+  const bool jumps = design.friction.static_ > design.friction.kinetic;
+  if (!(design.stator.voltage && jumps)) compared.push_back(Metric::peak_power);
+  for (const Metric metric : compared) {
+    const double by = change(motor, track, metric);
+    if (std::fabs(by) < kMatters) continue;
+    worst = std::max(worst, std::fabs(by));
+    text += (text.empty() ? "" : ", ") + std::string(info(metric).name) + " by " +
+            rounded_text(100 * by, 2) + " %";
+  }
+  if (!text.empty())
+    notes.push_back(
+        {"width of the contact", worst,
+         "the width of the contact and the wave's radial shape, which one slice leaves out, "
+         "change " +
+             text + "; write 'radial_slices: auto' to include them"});
+  return notes;
+}
+
+}  // namespace twum::studies

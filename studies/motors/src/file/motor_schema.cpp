@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/motors/motor_file.hpp>
+#include <twum/motors/parameter_set.hpp>
+
+#include "file/circuit_shape.hpp"
+#include "file/geometry_shape.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/plate.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/settings.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace twum::studies {
+namespace {
+
+std::string_view first_step(std::string_view path) { return path.substr(0, path.find('.')); }
+
+std::string_view last_step(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+std::string value_text(double value, const ParameterInfo& row) {
+  if (row.parameter == Parameter::radial_slices) return slices_text(static_cast<int>(value));
+  return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
+}
+
+// A number of slices, or `auto`, alone or with the number of nodes that a search has chosen.
+Shape<double> slices(const ParameterInfo& row) {
+  Schema schema = parameter_schema(row);
+  schema.min = 1;
+  const Shape<double> count = number(schema);
+  const Shape<double> automatic = shape_as<double, std::size_t>(
+      choice("as many as an accurate torque needs", {"auto"}),
+      [](std::size_t) { return kAutoSlices; }, [](const double&) { return std::size_t{0}; });
+  Shape<double> shape;
+  shape.schema.kind = ValueKind::any_of;
+  shape.schema.text = row.text;
+  shape.schema.example = "auto";
+  shape.schema.alternatives = {automatic.schema, count.schema};
+  shape.schema.alternatives.own().front().pattern = "^auto +[1-9][0-9]*$";
+  shape.read = [automatic, count](double& into, const YamlNode& node, const Spot& spot,
+                                  Diagnostics& diagnostics) {
+    if (const std::optional<int> nodes = automatic_slices(node.scalar)) {
+      into = *nodes;
+      return true;
+    }
+    const bool number =
+        !node.scalar.empty() && std::isalpha(static_cast<unsigned char>(node.scalar.front())) == 0;
+    if (number) return count.read(into, node, spot, diagnostics);
+    diagnostics.add(node.mark, spot.path,
+                    node.kind == YamlNode::Kind::scalar
+                        ? quoted(node.scalar) + " is not a number of slices"
+                        : "not a number of slices",
+                    "expected 'auto', or a whole number such as '8'");
+    return false;
+  };
+  shape.write = [&row](const double& value) { return scalar_node(value_text(value, row)); };
+  return shape;
+}
+
+// Modal and electrical data, which a motor with a given amplitude may do without.
+bool is_of_the_drive(Parameter parameter) {
+  constexpr std::array kDrive{Parameter::resonance_frequency, Parameter::modal_mass,
+                              Parameter::force_factor, Parameter::blocked_capacitance,
+                              Parameter::loss_tangent};
+  return std::find(kDrive.begin(), kDrive.end(), parameter) != kDrive.end();
+}
+
+// An entry that a material of the same block may give.
+bool is_of_material(const ParameterInfo& row) {
+  const std::size_t dot = row.file_entry.rfind('.');
+  return dot != std::string_view::npos && has_material(row.file_entry.substr(0, dot)) &&
+         material_gives(row);
+}
+
+// The entry of a parameter.
+Field<GivenMotor> field_of(const ParameterInfo& row) {
+  const bool sliced = row.parameter == Parameter::radial_slices;
+  const Shape<double> value = parameter_shape(row);
+  Field<GivenMotor> field;
+  field.entry.name = last_step(row.file_entry);
+  field.entry.schema = value.schema;
+  field.entry.required = row.required;
+  if (row.alternative) field.entry.alternative_entry = last_step(info(*row.alternative).file_entry);
+  if (row.parameter == Parameter::neutral_plane_distance)
+    field.entry.alternative_entry = "geometry";
+  if (is_of_material(row)) field.entry.spared_by = "material";
+  field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
+  if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
+  if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
+  if (sliced) field.entry.fallback = "1";
+  if (is_of_the_drive(row.parameter)) field.entry.shown = false;
+  if (is_of_the_drive(row.parameter) && row.min > 0)
+    field.entry.fallback = "none; a voltage needs it";
+  if (row.parameter == Parameter::voltage_ratio) field.entry.fallback = "1";
+  if (row.parameter == Parameter::rotor_mass)
+    field.entry.fallback = "none: the rotor has no inertia";
+  if (row.parameter == Parameter::sensor_load_resistance)
+    field.entry.fallback = "none: the electrode is open";
+  if (field.entry.fallback.empty()) field.entry.fallback = geometry_fallback(row.parameter);
+  if (!row.required && field.entry.fallback.empty() && !row.alternative)
+    field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
+  field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
+                                         Diagnostics& diagnostics) {
+    double typed = 0;
+    const bool right = read(typed, node, spot, diagnostics);
+    if (right) into.values.emplace_back(row.parameter, typed);
+    return right;
+  };
+  field.write = [&row](const GivenMotor& from) {
+    const auto given = from.value(row.parameter);
+    return given ? std::optional<YamlNode>(scalar_node(value_text(*given, row))) : std::nullopt;
+  };
+  return field;
+}
+
+// Checks that mu_0 is not below mu; each entry by itself may be valid.
+bool check_friction(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* kinetic = given.right("kinetic");
+  const YamlNode* threshold = given.right("static");
+  if (kinetic == nullptr || threshold == nullptr) return true;
+  const double mu = *motor.value(Parameter::kinetic_friction);
+  if (*motor.value(Parameter::static_friction) >= mu) return true;
+  diagnostics.add({threshold->mark, given.path("static"),
+                   quoted(threshold->scalar) + " is less than the kinetic friction",
+                   "must be at least " + number_text(mu), kinetic->mark,
+                   "kinetic friction given here"});
+  return false;
+}
+
+// One row of a measured or computed shape.
+Shape<std::pair<double, double>> shape_row() {
+  const Shape<double> radius = quantity("radius", "m", "24.5 mm");
+  const Shape<double> amplitude = quantity("R there", "1", "0.9");
+  const auto pair = list("radius and R", path("a number", "24.5 mm"), 2, 2);
+  using Pair = std::pair<double, double>;
+  Shape<Pair> shape;
+  shape.schema = pair.schema;
+  shape.read = [=](Pair& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+    std::vector<std::string> texts;
+    if (!pair.read(texts, node, spot, diagnostics)) return false;
+    const auto at = [&](std::size_t i) {
+      return Spot{spot.path + "[" + std::to_string(i) + "]", node.items[i].mark};
+    };
+    const bool first = radius.read(into.first, node.items[0], at(0), diagnostics);
+    return amplitude.read(into.second, node.items[1], at(1), diagnostics) && first;
+  };
+  shape.write = [=](const Pair& row) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::list;
+    node.items = {radius.write(row.first), amplitude.write(row.second)};
+    return node;
+  };
+  return shape;
+}
+
+Field<GivenMotor> branch_field() {
+  return hidden(optional<GivenMotor>(
+      "branch",
+      word<Branch>("which stable wave of a motor under a voltage is meant", {"running", "dead"}),
+      &GivenMotor::branch, "running"));
+}
+
+Field<GivenMotor> circuit_field() {
+  return hidden(optional<GivenMotor>("equivalent_circuit", circuit_shape(), &GivenMotor::circuit,
+                                     "the modal data"));
+}
+
+bool check_stator(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  const bool alone = check_geometry_alone(given, diagnostics);
+  return check_circuit(motor.circuit, given, diagnostics) && alone;
+}
+
+// Fills in the values of the block's material, then runs the check of the block.
+Check<GivenMotor> filled_check(std::string block,
+                               bool (*check)(GivenMotor&, const Given&, Diagnostics&)) {
+  return [block, check](GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+    fill_from_material(motor, block);
+    return check == nullptr || check(motor, given, diagnostics);
+  };
+}
+
+Field<GivenMotor> shape_table() {
+  auto rows = list("measured or computed shape, instead of exponent and root", shape_row(), 4);
+  rows.schema.example = "[[24.5 mm, 0.9], [26 mm, 0.98], [27 mm, 1.02], [28.5 mm, 1.1]]";
+  auto field = optional<GivenMotor>("table", rows, &GivenMotor::shape_table, "no table");
+  return hidden(std::move(field));
+}
+
+bool check_shape(GivenMotor& /*motor*/, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* table = given.find("table");
+  for (const char* other : {"exponent", "root"}) {
+    if (table == nullptr || given.find(other) == nullptr) continue;
+    diagnostics.add(table->mark, given.path("table"),
+                    "a second shape beside '" + std::string(other) + "'",
+                    "give the table, or exponent and root");
+    return false;
+  }
+  return true;
+}
+
+struct Section {
+  std::string_view path, text;
+  bool (*check)(GivenMotor&, const Given&, Diagnostics&){nullptr};
+  bool shown{true};  // in templates
+};
+
+constexpr Section kSections[] = {
+    {"stator", "the vibrating ring and its travelling wave", check_stator},
+    {"contact_layer", "the layer between stator and rotor"},
+    {"stator.radial_shape", "amplitude of the wave across the track, 1 at the contact radius",
+     check_shape, false},
+    {"stator.imbalance", "differences between the two phases and between the two modes", nullptr,
+     false},
+    {"stator.sensor", "an electrode that senses the wave", nullptr, false},
+    {"friction", "Coulomb friction between stator and contact layer", check_friction},
+    {"rotor", "the rotor's face", nullptr, false},
+    {"stator.geometry",
+     "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
+     nullptr, false},
+    {"stator.geometry.substrate", "the metal plate"},
+    {"stator.geometry.web", "thinner part of the metal plate from the clamp to the ring"},
+    {"stator.geometry.teeth", "teeth on the metal plate, cut by radial slots"},
+    {"stator.geometry.glue", "between metal and ceramic, as wide as the ceramic"},
+    {"stator.geometry.ceramic", "the piezoceramic ring under the metal plate"},
+    {"stator.geometry.electrodes", "electrodes of a phase: sectors of half a wavelength"}};
+
+// Sections that may be left out although they have required entries, and their defaults.
+constexpr std::pair<std::string_view, std::string_view> kMayLack[] = {
+    {"stator.geometry", "modal data"},
+    {"stator.geometry.web", "no web"},
+    {"stator.geometry.teeth", "no teeth"}};
+
+Field<GivenMotor> section_at(const std::string& path, const std::string& name,
+                             const Fields<GivenMotor>& fields) {
+  const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
+                                   [&](const Section& one) { return one.path == path; });
+  TWUM_ASSERT(known != std::end(kSections));
+  Field<GivenMotor> field =
+      section(name, std::string(known->text), fields, filled_check(path, known->check));
+  field.entry.shown = known->shown;
+  for (const auto& [section, fallback] : kMayLack)
+    if (section == path) field.entry.required = false, field.entry.fallback = fallback;
+  if (path == "stator.geometry") field.entry.alternative_entry = "neutral_plane_distance";
+  return field;
+}
+
+// Required content of a file: a complete motor, or some of its parameters.
+enum class Extent : unsigned char { motor, part };
+
+Field<GivenMotor> left_out_freely(Field<GivenMotor> field) {
+  field.entry.required = false;
+  field.entry.fallback = "the motor's";
+  return field;
+}
+
+// The entries below a path, by the parameter table: parameters, and sections of them.
+Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent::motor) {
+  Fields<GivenMotor> fields;
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!row.file_entry.starts_with(path)) continue;
+    const std::string_view rest = row.file_entry.substr(path.size());
+    const std::string name(first_step(rest));
+    if (name == rest) {
+      fields.push_back(extent == Extent::motor ? field_of(row) : left_out_freely(field_of(row)));
+    } else if (!fields.has(name)) {
+      fields.push_back(section_at(path + name, name, fields_below(path + name + ".", extent)));
+    }
+  }
+  if (!path.empty() && has_material(path.substr(0, path.size() - 1)))
+    fields.push_back(material_field(path.substr(0, path.size() - 1)));
+  if (path == "stator.") fields.push_back(circuit_field());
+  if (extent == Extent::part) return fields;  // without what is no parameter
+  if (path == "stator.geometry.") fields.push_back(support_field());
+  if (path == "stator.radial_shape.") fields.push_back(shape_table());
+  if (path == "stator.") fields.push_back(branch_field());
+  return fields;
+}
+
+// Those of the file, and those that follow from an equivalent circuit.
+std::vector<ParameterValue> all_values(const GivenMotor& given) {
+  std::vector<ParameterValue> values = given.values;
+  if (given.circuit)
+    for (const ParameterValue& one : modal_data(*given.circuit)) values.push_back(one);
+  return values;
+}
+
+MotorFile motor_of(const GivenMotor& given) {
+  // Entries that a valid file leaves out: mu_0 = mu, and no modal damping.
+  MotorDesign blank;
+  blank.stator.modal_damping = 0;
+  blank.friction = {1, 1};
+  // Set at the end, because exponent and root would replace a table.
+  blank.stator.radial_shape.table = given.shape_table;
+  blank.stator.branch = given.branch.value_or(Branch::running);
+  blank.stator.geometry = blank_geometry(given);
+  return {given.name, with(blank, all_values(given))};
+}
+
+bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  if (!diagnostics.empty()) return false;  // errors were added before; the motor is not made
+  try {
+    const MotorDesign design = motor_of(motor).design;
+    if (!design.stator.geometry) return true;
+    for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
+    if (diagnostics.empty())
+      plate_model(design, stator::OtherModes::none);  // throws if there is no mode for the wave
+  } catch (const EvaluationError& error) {
+    say_of_motor(error.what(), given, diagnostics);
+  } catch (const InputError& error) {
+    say_of_motor(error.what(), given, diagnostics);
+  }
+  return diagnostics.empty();
+}
+
+GivenMotor given_by(const MotorFile& motor) {
+  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}, {}, {}, {}};
+  if (motor.design.stator.geometry) given.inner_edge = motor.design.stator.geometry->support;
+  if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
+  for (const ParameterInfo& row : parameter_table())
+    if (is_given(motor.design, row.parameter))
+      given.values.emplace_back(row.parameter, get(motor.design, row.parameter));
+  return given;
+}
+
+bool needs_parameter(GivenMotor& part, const Given& given, Diagnostics& diagnostics) {
+  if (!part.values.empty() || part.circuit || !diagnostics.empty()) return true;
+  diagnostics.add(given.node().mark, given.path(), "no parameter of a motor",
+                  "expected at least one, such as 'contact_layer: {youngs_modulus: 3 GPa}'");
+  return false;
+}
+
+}  // namespace
+
+Schema parameter_schema(const ParameterInfo& parameter) {
+  Schema schema;
+  schema.kind = ValueKind::quantity;
+  schema.text = parameter.text;
+  schema.example = parameter.example;
+  schema.unit = parameter.unit;
+  schema.min = parameter.min;
+  schema.max = parameter.max;
+  schema.whole = parameter.integer;
+  return schema;
+}
+
+Shape<double> parameter_shape(const ParameterInfo& parameter) {
+  return parameter.parameter == Parameter::radial_slices ? slices(parameter)
+                                                         : number(parameter_schema(parameter));
+}
+
+const Shape<MotorFile>& motor_shape() {
+  static const Shape<MotorFile> shape = [] {
+    Fields<GivenMotor> fields = fields_below("");
+    fields.insert(0, optional<GivenMotor>("name", path("name of the motor", "ring-60"),
+                                          &GivenMotor::name, "no name"));
+    return shape_as<MotorFile, GivenMotor>(mapping<GivenMotor>("one motor", fields, check_motor),
+                                           motor_of, given_by);
+  }();
+  return shape;
+}
+
+const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
+  using Values = std::vector<ParameterValue>;
+  static const Shape<Values> shape = [] {
+    Fields<GivenMotor> fields = fields_below("", Extent::part);
+    fields.insert(0, optional<GivenMotor>("name", path("name of the set", "PEEK"),
+                                          &GivenMotor::name, "no name"));
+    Field<GivenMotor> version = version_field<GivenMotor>();
+    version.entry.required = false;
+    fields.insert(0, version);
+    return shape_as<Values, GivenMotor>(
+        mapping<GivenMotor>("parameters of a motor that belong together", fields, needs_parameter),
+        [](const GivenMotor& part) { return all_values(part); },
+        [](const Values& values) {
+          GivenMotor part;
+          part.values = values;
+          return part;
+        });
+  }();
+  return shape;
+}
+
+const Shape<MotorFile>& motor_file_shape() {
+  static const Shape<MotorFile> shape = mapping<MotorFile>(
+      "a motor for twum", {version_field<MotorFile>(),
+                           required<MotorFile>(
+                               "motor", motor_shape(), [](auto& file) -> auto& { return file; })});
+  return shape;
+}
+
+}  // namespace twum::studies

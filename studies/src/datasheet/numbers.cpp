@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "datasheet/parts.hpp"
+
+#include <twum/core/parameters.hpp>
+#include <twum/motors/curve_points.hpp>
+#include <twum/motors/expression.hpp>
+#include <twum/motors/plain_name.hpp>
+#include <twum/motors/reasons.hpp>
+#include <twum/motors/settings.hpp>
+
+#include <cmath>
+
+namespace twum::studies::datasheet {
+namespace {
+
+std::string meaning_of(MetricStatus status) {
+  for (const Reason& reason : reasons())
+    if (reason.status == status) return reason.meaning;
+  return to_string(status);
+}
+
+// The metrics of a motor. A metric without a value has a line if the reason is informative, such as a motor that does
+// not pull out, but not if it is undefined.
+std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
+  const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
+  const std::vector<MetricValue> values = ExpressionEvaluator(metrics).evaluate(motor);
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const MetricInfo& row = info(metrics[i].request()->metric);
+    if (row.needs_modes != with_modes || values[i].status == MetricStatus::undefined) continue;
+    const bool ok = values[i].status == MetricStatus::ok;
+    lines.emplace_back(plain_name(metrics[i].text), ok ? shown(values[i].value, row.unit, row.name)
+                                                       : meaning_of(values[i].status));
+  }
+  return lines;
+}
+
+constexpr EfficiencyKind kOverall{"overall efficiency",
+                                  [](const OperatingPoint& p) { return p.overall_efficiency(); }};
+constexpr EfficiencyKind kStatorToo{"efficiency",
+                                    [](const OperatingPoint& p) { return p.efficiency(); }};
+constexpr EfficiencyKind kContactAlone{
+    "contact efficiency", [](const OperatingPoint& p) { return p.contact_efficiency(); }};
+
+}  // namespace
+
+EfficiencyKind efficiency_kind(const MotorDesign& design) {
+  if (has_modal_data(design)) return kOverall;
+  return modal_damping(design) > 0 ? kStatorToo : kContactAlone;
+}
+
+std::vector<Line> performance(const Motor& motor) { return numbers_of(motor, false); }
+
+std::vector<Line> electrical(const Motor& motor) { return numbers_of(motor, true); }
+
+std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated) {
+  if (rated.status != PointStatus::ok) return {{"no answer", to_string(rated.status)}};
+  const EfficiencyKind efficiency = efficiency_kind(design);
+  std::vector<Line> lines;
+  for (const CurveColumn& column : curve_columns(design)) {
+    const std::string_view name = column.name;
+    const double value = column.value(rated);
+    if (name == "contact_efficiency" || name == "overall_efficiency" || !std::isfinite(value))
+      continue;
+    lines.emplace_back(plain_name(column.name), shown(value, column.unit, name));
+    if (name == "output_power" && std::isfinite(efficiency.value(rated)))
+      lines.emplace_back(efficiency.name, shown(efficiency.value(rated), "1", "efficiency"));
+  }
+  return lines;
+}
+
+std::vector<Line> parameters(const MotorDesign& design) {
+  std::vector<Line> lines;
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!in_use(design, row.parameter)) continue;
+    const double value = get(design, row.parameter);
+    const bool slices = row.parameter == Parameter::radial_slices;
+    const std::string symbol = row.symbol.empty() ? "" : " " + std::string(row.symbol);
+    lines.emplace_back(plain_name(std::string(row.name)) + symbol,
+                       slices ? slices_text(static_cast<int>(value)) : shown(value, row.unit));
+  }
+  return lines;
+}
+
+}  // namespace twum::studies::datasheet

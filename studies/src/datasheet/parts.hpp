@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/motor.hpp>
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The parts of a data sheet; internal.
+namespace twum::studies::datasheet {
+
+/// Text that may stand anywhere in HTML or SVG.
+std::string escaped(std::string_view text);
+
+/// A coordinate or a length in a drawing, with two decimals.
+std::string place(double value);
+
+/// An SVG element with attributes in their order and its content, unchanged.
+std::string element(std::string_view name,
+                    std::initializer_list<std::pair<std::string_view, std::string>> attributes,
+                    std::string_view content = "");
+
+/// A name with its value, both as they are shown.
+using Line = std::pair<std::string, std::string>;
+
+/// A list of names and values; empty without lines.
+std::string list(const std::vector<Line>& lines);
+
+/// A value in engineering units; efficiencies in per cent.
+std::string shown(double value, std::string_view unit, std::string_view name = {});
+
+/// The most complete efficiency that a motor has: overall with modal data, of contact and stator if only the damping
+/// is given, else of the contact.
+struct EfficiencyKind {
+  const char* name;
+  double (*value)(const OperatingPoint&);
+};
+EfficiencyKind efficiency_kind(const MotorDesign& design);
+
+/// The motor cut along its axis, to scale, with the names of its parts.
+std::string section(const MotorDesign& design);
+
+/// Torque, output power and efficiency over speed up to no-load; the rated point marked if there is one with an answer.
+std::string curves(const Motor& motor, const std::optional<OperatingPoint>& rated);
+
+/// Numbers of the motor as a whole, those that need modal data apart.
+/// @{
+std::vector<Line> performance(const Motor& motor);
+std::vector<Line> electrical(const Motor& motor);
+/// @}
+
+/// The numbers of the motor at its rated point.
+std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated);
+
+/// Every parameter in use.
+std::vector<Line> parameters(const MotorDesign& design);
+
+}  // namespace twum::studies::datasheet

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/spacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+
+double between(double min, double max, double t, bool log) {
+  if (t <= 0) return min;
+  if (t >= 1) return max;
+  const double value = log ? min * std::pow(max / min, t) : min + t * (max - min);
+  return std::clamp(value, min, max);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/study_kinds.hpp"
+
+#include <twum/studies/study_file.hpp>
+
+#include <array>
+
+namespace twum::studies {
+namespace {
+
+template <typename S>
+Shape<Study> any(const Shape<S>& shape) {
+  return shape_as<Study, S>(
+      shape, [](S study) { return Study{std::move(study)}; },
+      [](const Study& study) { return std::get<S>(study); });
+}
+
+// One row for each alternative of Study, in their order.
+template <typename>
+struct Rows;
+template <typename... S>
+struct Rows<std::variant<S...>> {
+  static constexpr std::array<std::string_view, sizeof...(S)> kNames{S::kName...};
+  static std::array<Shape<Study>, sizeof...(S)> shapes() { return {any(S::shape())...}; }
+};
+using Kinds = Rows<Study>;
+
+Shape<Study> any_study() {
+  std::vector<Shape<Study>> kinds;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {
+    kinds.push_back(study_shape(static_cast<StudyKind>(i)));
+    names.emplace_back(Kinds::kNames[i]);
+  }
+  return one_of<Study>(
+      "what is asked", std::move(kinds), [](const Study& study) { return study.index(); }, "kind",
+      std::move(names));
+}
+
+using MotorEntry = std::variant<std::string, MotorFile>;
+
+template <typename T>
+Shape<MotorEntry> motor_as(const Shape<T>& shape) {
+  return shape_as<MotorEntry, T>(
+      shape, [](T given) { return MotorEntry{std::move(given)}; },
+      [](const MotorEntry& entry) { return std::get<T>(entry); });
+}
+
+}  // namespace
+
+std::span<const std::string_view> study_kinds() { return Kinds::kNames; }
+
+std::string_view to_string(StudyKind kind) { return Kinds::kNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<StudyKind> find_study_kind(std::string_view name) {
+  for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {
+    if (Kinds::kNames[i] == name) return static_cast<StudyKind>(i);
+  }
+  return {};
+}
+
+std::uint64_t standard_samples(SensitivityMethod method) {
+  return method == SensitivityMethod::morris ? 32 : 1024;
+}
+
+const Shape<Study>& study_shape(StudyKind kind) {
+  static const auto all = Kinds::shapes();
+  return all.at(static_cast<std::size_t>(kind));
+}
+
+Schema study_schema(StudyKind kind) { return study_shape(kind).schema; }
+
+const Shape<StudyText>& study_file_shape() {
+  static const Shape<StudyText> shape = mapping<StudyText>(
+      "a study for twum",
+      {version_field<StudyText>(),
+       required<StudyText>(
+           "motor",
+           one_of<MotorEntry>(
+               "the motor: a path relative to the folder of this file, or its entries",
+               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
+               [](const MotorEntry& entry) { return entry.index(); }),
+           &StudyText::motor),
+       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
+       required<StudyText>("study", any_study(), &StudyText::study)});
+  return shape;
+}
+
+const Schema& study_file_schema() { return study_file_shape().schema; }
+
+}  // namespace twum::studies

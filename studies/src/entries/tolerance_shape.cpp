@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/tolerance_shape.hpp"
+
+#include "schema/scalar_checks.hpp"
+
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+
+#include <algorithm>
+
+namespace twum::studies::shapes {
+namespace {
+
+using Shape_ = Tolerance::Shape;
+
+constexpr const char* kTolerances =
+    "preload: 5 %\n"
+    "kinetic_friction: {range: 15 %}";
+
+// A spread has the parameter's unit but not its range: more than 0.
+Schema absolute_spread(const ParameterInfo& row) {
+  Schema schema = value_of(row).schema;
+  schema.min = 0;
+  schema.min_excluded = true;
+  schema.whole = false;
+  return schema;
+}
+
+Schema relative_spread() {
+  Schema schema;
+  schema.kind = ValueKind::quantity;
+  schema.example = "3 %";
+  schema.min = 0;
+  schema.min_excluded = true;
+  return schema;
+}
+
+// "3 %" is relative to the design's value; a number with a unit is absolute.
+Shape<Spread> spread(const ParameterInfo& row, std::string text) {
+  Shape<Spread> shape;
+  shape.schema.text = std::move(text);
+  shape.schema.example = "3 %";
+  shape.read = [schema = shape.schema, absolute = kept(absolute_spread(row))](
+                   Spread& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+    return says_no_error(node, schema, spot, diagnostics, [&](const std::string& typed) {
+      const std::string_view value = trimmed(typed);
+      const bool relative = !value.empty() && value.back() == '%';
+      into = {read_number(value, relative ? relative_spread() : *absolute), relative};
+    });
+  };
+  shape.write = [absolute = number(absolute_spread(row)).write](const Spread& value) {
+    return value.relative ? scalar_node(number_text(100 * value.amount) + " %")
+                          : absolute(value.amount);
+  };
+  return shape;
+}
+
+// The entries that a distribution may have: about a centre, or between limits.
+struct Entries {
+  std::vector<std::string_view> about, between;
+};
+
+Entries entries_of(Shape_ shape) {
+  switch (shape) {
+    case Shape_::normal:
+    case Shape_::lognormal: return {{"sd"}, {}};
+    case Shape_::uniform: return {{"range"}, {"min", "max"}};
+    case Shape_::triangular: break;
+  }
+  return {{"below", "above"}, {"min", "mode", "max"}};
+}
+
+std::string joined(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "'" : i + 1 < names.size() ? ", '" : " and '") + std::string(names[i]) + "'";
+  return text;
+}
+
+std::string wanted(const Entries& entries) {
+  return "expected " + joined(entries.about) +
+         (entries.between.empty() ? "" : ", or " + joined(entries.between));
+}
+
+bool has(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Adds errors for entries that a distribution of this shape does not use, and for missing ones.
+bool check_entries(Shape_ shape, const Given& given, Diagnostics& diagnostics) {
+  const Entries entries = entries_of(shape);
+  const std::string of = std::string("of a ") + to_string(shape) + " distribution";
+  const auto any = [&](const auto& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return given.find(name) != nullptr; });
+  };
+  const bool between = any(entries.between) && !any(entries.about);
+  const std::vector<std::string_view>& own = between ? entries.between : entries.about;
+  const bool two_ends = given.find("min") != nullptr && given.find("max") != nullptr;
+  if (two_ends && given.find("distribution") == nullptr && !any(entries.about)) {
+    diagnostics.add(given.node().mark, given.path(), "two ends without a distribution",
+                    "add 'distribution: uniform', or with 'mode' triangular");
+    return false;
+  }
+  bool good = true;
+  for (const YamlEntry& entry : given.node().entries) {
+    const bool known =
+        entry.key == "distribution" || has(own, entry.key) || (!between && entry.key == "mean");
+    if (known || !has({"mean", "sd", "range", "below", "above", "min", "mode", "max"}, entry.key))
+      continue;
+    diagnostics.add(entry.key_mark, given.path(entry.key),
+                    "does not describe a " + std::string(to_string(shape)) + " distribution",
+                    wanted(entries));
+    good = false;
+  }
+  for (const std::string_view name : own) {
+    if (given.find(name) != nullptr) continue;
+    diagnostics.add(given.node().mark, given.path(std::string(name)), "missing",
+                    wanted(entries) + " " + of);
+    good = false;
+  }
+  return good;
+}
+
+bool check_order(const Tolerance& value, const Given& given, Diagnostics& diagnostics) {
+  const auto rises = [&](const char* low, const auto& a, const char* high, const auto& b) {
+    const bool both = given.right(low) != nullptr && given.right(high) != nullptr;
+    return !both || rising(given, low, *a, high, *b, diagnostics);
+  };
+  if (value.shape == Shape_::uniform) return rises("min", value.min, "max", value.max);
+  if (value.shape != Shape_::triangular) return true;
+  const bool low = rises("min", value.min, "mode", value.mode);
+  return rises("mode", value.mode, "max", value.max) && low;
+}
+
+Shape<Tolerance> spelled_out(const ParameterInfo& row) {
+  using T = Tolerance;
+  const Shape<double> value = value_of(row);
+  const auto number = [&](const char* name, auto member, std::string fallback) {
+    return optional<T>(name, value, member, std::move(fallback));
+  };
+  const auto width = [&](const char* name, const char* text, auto member) {
+    return optional<T>(name, spread(row, text), member, "none");
+  };
+  T fresh;
+  fresh.parameter = row.parameter;
+  return mapping<T>(
+      std::string(row.text),
+      {optional<T>("distribution",
+                   word<Shape_>("its shape", {"normal", "uniform", "lognormal", "triangular"}),
+                   &T::shape, "normal; with 'range' uniform"),
+       number("mean", &T::mean, "the design's value"),
+       width("sd", "standard deviation, of a normal or lognormal one", &T::sd),
+       width("range", "half width, of a uniform one", &T::range),
+       width("below", "width below the design's value, of a triangular one", &T::below),
+       width("above", "width above the design's value, of a triangular one", &T::above),
+       number("min", &T::min, "none: no fixed values"),
+       number("mode", &T::mode, "none: no fixed values"),
+       number("max", &T::max, "none: no fixed values")},
+      [](T& into, const Given& given, Diagnostics& diagnostics) {
+        const YamlNode* named = given.find("distribution");
+        if (named == nullptr && given.find("range") != nullptr) into.shape = Shape_::uniform;
+        if (named != nullptr && given.right("distribution") == nullptr) return false;
+        const bool complete = check_entries(into.shape, given, diagnostics);
+        return check_order(into, given, diagnostics) && complete;
+      },
+      fresh);
+}
+
+Shape<Tolerance> tolerance(const ParameterInfo& row) {
+  const Shape<Tolerance> normal = shape_as<Tolerance, Spread>(
+      spread(row, "a standard deviation"),
+      [parameter = row.parameter](Spread sd) {
+        Tolerance value;
+        value.parameter = parameter;
+        value.sd = sd;
+        return value;
+      },
+      [](const Tolerance& value) { return *value.sd; });
+  const auto shape = one_of<Tolerance>(std::string(row.text), {normal, spelled_out(row)},
+                                       [](const Tolerance& /*value*/) { return std::size_t{1}; });
+  return shape;
+}
+
+}  // namespace
+
+Shape<std::vector<Tolerance>> tolerances(std::string text) {
+  return by_parameter<Tolerance>(tolerance, std::move(text), kTolerances);
+}
+
+void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesign& design,
+                      const YamlNode& mapping, const std::string& path, Diagnostics& diagnostics) {
+  for (const Tolerance& one : tolerances) {
+    const auto wrong = complaint(one, get(design, one.parameter));
+    if (!wrong) continue;
+    const auto entry = std::find_if(
+        mapping.entries.begin(), mapping.entries.end(),
+        [&](const YamlEntry& given) { return find_parameter(given.key) == one.parameter; });
+    diagnostics.add(entry->value.mark, path + "." + entry->key, wrong->found(), wrong->expected());
+  }
+}
+
+std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerances,
+                                         const MotorDesign& design) {
+  constexpr double kSame = 1e-6;  // above the rounding of a typed value
+  std::vector<std::string> notes;
+  for (const Tolerance& one : tolerances) {
+    const double own = get(design, one.parameter);
+    const double centre = one.centre(own);
+    if (std::isnan(own) || std::fabs(centre - own) <= kSame * std::fabs(own)) continue;
+    const ParameterInfo& row = info(one.parameter);
+    notes.push_back(std::string(row.name) + " varies about " + engineering(centre, row.unit) +
+                    ", but the motor has " + engineering(own, row.unit) +
+                    ", so the answer is for another motor; give the spread alone, such as '" +
+                    std::string(row.name) + ": 3 %', to vary it about the motor's own value");
+  }
+  return notes;
+}
+
+}  // namespace twum::studies::shapes

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "entries/entry_shapes.hpp"
+
+#include <twum/core/motor_design.hpp>
+#include <twum/studies/tolerance.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies::shapes {
+
+/// Tolerances by parameter: `preload: 3 %`, or a mapping with the distribution.
+Shape<std::vector<Tolerance>> tolerances(std::string text);
+
+/// Adds errors for tolerances that do not fit the design.
+/// @param mapping  the mapping of tolerances in the file, at `path`
+void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesign& design,
+                      const YamlNode& mapping, const std::string& path, Diagnostics& diagnostics);
+
+/// Notes on tolerances that are not centred at the design's value, one sentence each.
+std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerances,
+                                         const MotorDesign& design);
+
+}  // namespace twum::studies::shapes

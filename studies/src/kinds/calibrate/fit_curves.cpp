@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/fit_curves.hpp>
+
+#include "kinds/calibrate/asked_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+// Places of a curve: enough for a smooth one; a number at a torque takes a search for the speed.
+constexpr std::size_t kAtSpeed = 121;
+constexpr std::size_t kAtTorque = 41;
+// Room beyond the points.
+constexpr double kBeyond = 0.04;
+
+using Data = std::vector<CalibrateResult::Point>;
+
+// The parameter that the bench varied most for a quantity; none if it has one value throughout.
+std::optional<NamedValue> most_varied(const Data& data, const std::string& quantity) {
+  std::map<std::string, std::set<double>> values;
+  std::optional<NamedValue> most;
+  std::size_t count = 1;
+  for (const auto& point : data) {
+    if (point.quantity != quantity) continue;
+    for (const NamedValue& one : point.set) {
+      auto& seen = values[one.name];
+      seen.insert(one.value);
+      if (seen.size() <= count) continue;
+      count = seen.size();
+      most = {one.name, one.unit, 0};
+    }
+  }
+  return most;
+}
+
+bool same_set(const std::vector<NamedValue>& a, const std::vector<NamedValue>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const NamedValue& x, const NamedValue& y) {
+                      return x.name == y.name && x.value == y.value;
+                    });
+}
+
+class Curves {
+ public:
+  Curves(const StudyFile& study, const CalibrateResult& result)
+      : result_(result),
+        asked_(std::get<CalibrateStudy>(study.asked)),
+        files_(result.files()),
+        fit_(study.motor.design, fit_parameters(asked_), {}, asked_.derived) {
+    for (const auto& e : result.estimates) values_.push_back(e.parameter.value);
+  }
+
+  std::vector<FitCurve> all() const {
+    std::vector<FitCurve> curves;
+    for (std::size_t i = 0; i < result_.data.size(); ++i) sort_in(i, curves);
+    for (FitCurve& curve : curves) draw(curve);
+    return curves;
+  }
+
+ private:
+  void sort_in(std::size_t number, std::vector<FitCurve>& curves) const {
+    const CalibrateResult::Point& point = result_.data[number];
+    const std::optional<NamedValue> over = axis_of(result_.data, point);
+    if (!over || std::isnan(place_on(point, *over))) return;
+    FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}};
+    for (const NamedValue& one : point.set)
+      if (one.name != over->name) curve.set.push_back(one);
+    if (files_.size() > 1) curve.file = table_of(point);
+    auto known = std::find_if(curves.begin(), curves.end(), [&](const FitCurve& c) {
+      return c.quantity == curve.quantity && c.over.name == curve.over.name &&
+             same_set(c.set, curve.set) && c.file == curve.file;
+    });
+    if (known == curves.end()) known = curves.insert(curves.end(), std::move(curve));
+    known->points.push_back(number);
+  }
+
+  void draw(FitCurve& curve) const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const std::size_t i : curve.points) {
+      const double at = place_on(result_.data[i], curve.over);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    const bool point = result_.data[curve.points.front()].argument != Argument::none;
+    const double room = point ? 0 : kBeyond * (high - low);
+    if (point) low = std::min(low, 0.0);
+    const std::size_t count = curve.over.name == "torque" ? kAtTorque : kAtSpeed;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+      add(std::lerp(low - room, high + room, share), curve);
+    }
+  }
+
+  void add(double at, FitCurve& curve) const {
+    const optim::Residuals found = fit_.asking({reading(curve, at)}).residuals(values_);
+    const bool ok = found.failure.empty();
+    curve.at.push_back(at);
+    curve.value.push_back(ok ? found.values.front() : kNoValue);
+    curve.half.push_back(ok ? half_width(found.jacobian) : kNoValue);
+  }
+
+  // Of the value 0 and the weight 1: its residual is what the motor has.
+  MeasuredPoint reading(const FitCurve& curve, double at) const {
+    const CalibrateResult::Point& like = result_.data[curve.points.front()];
+    MeasuredPoint point;
+    if (const auto metric = find_metric(curve.quantity))
+      point.reading =
+          MetricRequest{*metric, like.argument, like.argument == Argument::none ? 0 : at};
+    else
+      point.reading = *find_circuit_part(curve.quantity);
+    for (const NamedValue& one : like.set)
+      point.set.emplace_back(*find_parameter(one.name),
+                             one.name == curve.over.name ? at : one.value);
+    point.table = static_cast<std::size_t>(std::find(files_.begin(), files_.end(), curve.file) -
+                                           files_.begin());
+    return point;
+  }
+
+  // (L2.4) Without an interval of every parameter there is no band.
+  double half_width(const std::vector<double>& gradient) const {
+    const std::size_t n = values_.size();
+    double variance = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (gradient[i] * gradient[j] != 0)
+          variance += gradient[i] * gradient[j] * result_.estimates[i].deviation *
+                      result_.estimates[j].deviation * result_.correlation[i * n + j];
+    return result_.student_t * std::sqrt(std::max(variance, 0.0));
+  }
+
+  const CalibrateResult& result_;
+  const CalibrateStudy& asked_;
+  std::vector<std::string> files_;
+  MeasuredFit fit_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::string table_of(const CalibrateResult::Point& point) {
+  return point.where.substr(0, point.where.rfind(':'));
+}
+
+std::optional<NamedValue> axis_of(const Data& data, const CalibrateResult::Point& point) {
+  if (point.argument == Argument::speed) return NamedValue{"speed", "rad/s", 0};
+  if (point.argument == Argument::torque) return NamedValue{"torque", "N.m", 0};
+  return most_varied(data, point.quantity);
+}
+
+double place_on(const CalibrateResult::Point& point, const NamedValue& over) {
+  if (point.argument != Argument::none) return point.at;
+  const auto found = std::find_if(point.set.begin(), point.set.end(),
+                                  [&](const NamedValue& one) { return one.name == over.name; });
+  return found == point.set.end() ? kNoValue : found->value;
+}
+
+std::vector<FitCurve> fit_curves(const StudyFile& study, const CalibrateResult& result) {
+  if (result.estimates.empty() || result.unmeasured) return {};
+  return Curves(study, result).all();
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/calibrate_result.hpp>
+
+namespace twum::studies {
+
+/// Fills in what chance says of the residuals (section 4 of the theory): how alike neighbours are, whether the readings of a
+/// column share an offset, and chi-square of all and of the kind of data that stands out most. Nothing if the residuals are
+/// rounding.
+/// @param residuals   of `fit`, in the order of the data
+/// @param deviations  the points have standard deviations; those of columns are estimated, and not tested
+/// @param known       standard deviation of a residual of weight 1 if it is stated; else NaN
+void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
+                    const optim::LeastSquaresResult& fit, bool deviations, double known);
+
+}  // namespace twum::studies

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/motor_problem.hpp>
+
+#include "problem/motor_responses.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/io/value_error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace twum::studies {
+namespace {
+
+void require_admissible(const DesignVariable& variable, double value, const char* what) {
+  const std::string text = complaint(variable.parameter, value);
+  if (!text.empty())
+    throw InputError(std::string(info(variable.parameter).name) + ": its " + what + " " + text);
+}
+
+optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& variable) {
+  require_admissible(variable, variable.min, "smallest value");
+  require_admissible(variable, variable.max, "largest value");
+  const ParameterInfo& row = info(variable.parameter);
+  optim::Variable v;
+  v.name = row.name;
+  v.lower = variable.min;
+  v.upper = variable.max;
+  v.start = std::isnan(variable.start) ? get(problem.motor, variable.parameter) : variable.start;
+  v.scale = variable.log ? optim::Scale::log : optim::Scale::linear;
+  v.integer = row.integer;
+  v.lowest = row.min;
+  v.highest = row.max;
+  return v;
+}
+
+// Only one of a parameter and its alternative can be free.
+void refuse_alternatives_together(const DesignProblem& problem) {
+  for (const DesignVariable& a : problem.variables) {
+    const auto alternative = info(a.parameter).alternative;
+    for (const DesignVariable& b : problem.variables) {
+      if (alternative == b.parameter)
+        throw InputError(std::string(info(a.parameter).name) + " and " +
+                         std::string(info(b.parameter).name) +
+                         " exclude each other; vary one of them");
+    }
+  }
+}
+
+optim::Variable variable_of(const DesignChoice& choice) {
+  optim::Variable v;
+  v.name = choice.name;
+  v.lower = v.start = 1;
+  v.upper = static_cast<double>(choice.sets.size());
+  v.integer = true;
+  return v;
+}
+
+void refuse_wrong_choices(const DesignProblem& problem) {
+  const std::vector<ChoiceComplaint> wrong = choice_complaints(problem);
+  if (!wrong.empty()) throw InputError(wrong.front().found + "; " + wrong.front().expected);
+}
+
+optim::Constraint limit_of(const MotorLimit& limit) {
+  return {limit.text, limit.lower, limit.upper, limit.tolerance};
+}
+
+DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {
+  problem.objectives.push_back({parse_metric(metric), maximize});
+  return problem;
+}
+
+}  // namespace
+
+DesignProblem& DesignProblem::vary(Parameter parameter, double min, double max, bool log) {
+  variables.push_back({parameter, min, max, log});
+  return *this;
+}
+
+DesignProblem& DesignProblem::maximize(std::string_view metric) {
+  return want(*this, metric, true);
+}
+
+DesignProblem& DesignProblem::minimize(std::string_view metric) {
+  return want(*this, metric, false);
+}
+
+DesignProblem& DesignProblem::limit(std::string_view text) {
+  limits.push_back(parse_limit(text));
+  return *this;
+}
+
+DesignProblem& DesignProblem::derive(Parameter parameter, std::string_view text) {
+  derived.push_back(parse_derived(parameter, text));
+  return *this;
+}
+
+void require_ordered_friction(const DesignProblem& problem) {
+  const auto varied = parameters_of(problem.variables);
+  const auto derived = parameters_of(problem.derived);
+  const auto has = [](const std::vector<Parameter>& list, Parameter parameter) {
+    return std::find(list.begin(), list.end(), parameter) != list.end();
+  };
+  if (has(varied, Parameter::static_friction) && has(derived, Parameter::kinetic_friction))
+    throw ValueError("static_friction is varied and kinetic_friction derived",
+                     "vary kinetic_friction and derive static_friction");
+}
+
+optim::Problem motor_problem(const DesignProblem& problem) {
+  optim::Problem result = posed_problem(problem);
+  validate(result);
+  return result;
+}
+
+optim::Problem posed_problem(const DesignProblem& problem) {
+  refuse_alternatives_together(problem);
+  require_ordered_friction(problem);
+  refuse_wrong_choices(problem);
+  optim::Problem result;
+  for (const DesignVariable& variable : problem.variables)
+    result.variables.push_back(variable_of(problem, variable));
+  for (const DesignChoice& choice : problem.choices)
+    result.variables.push_back(variable_of(choice));
+  for (const DesignObjective& objective : problem.objectives) {
+    if (objective.statistic)
+      throw InputError(objective.text() + ": a statistic of built motors, which need tolerances");
+    result.objectives.push_back({objective.metric.text, objective.maximize
+                                                            ? optim::Sense::maximize
+                                                            : optim::Sense::minimize});
+  }
+  for (const MotorLimit& limit : problem.limits) result.constraints.push_back(limit_of(limit));
+  const auto responses = std::make_shared<const MotorResponses>(problem);
+  for (const ImpliedLimit& limit : responses->implied())
+    result.constraints.push_back({limit.name, limit.load.value_or(0)});
+  result.evaluate = [responses](std::span<const double> design, bool gradient) {
+    return responses->evaluate(design, gradient);
+  };
+  return result;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "problem/motor_responses.hpp"
+
+#include "problem/combinations.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
+#include <twum/io/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+// Relative step to either side of a kink. It is far above rounding, and its error in the one-sided derivative is of
+// the same order.
+constexpr double kAside = 1e-7;
+// One-sided derivatives that differ by less than this, relative, are taken as one.
+constexpr double kSameSlope = 1e-4;
+
+const DesignVariable* variable_of(const DesignProblem& problem, Parameter parameter) {
+  for (const DesignVariable& v : problem.variables) {
+    if (v.parameter == parameter) return &v;
+  }
+  return nullptr;
+}
+
+bool orders_friction(const DesignProblem& problem) {
+  const DesignVariable* static_ = variable_of(problem, Parameter::static_friction);
+  if (static_ == nullptr) return false;
+  if (const DesignVariable* kinetic = variable_of(problem, Parameter::kinetic_friction))
+    return static_->min < kinetic->max;
+  const std::vector<DesignProblem> all = combinations(problem);
+  return std::any_of(all.begin(), all.end(), [&](const DesignProblem& one) {
+    return static_->min < one.motor.friction.kinetic;
+  });
+}
+
+std::vector<MetricExpression> asked(const DesignProblem& problem) {
+  std::vector<MetricExpression> list;
+  for (const DesignObjective& objective : problem.objectives) list.push_back(objective.metric);
+  for (const MotorLimit& limit : problem.limits) list.push_back(limit.metric);
+  return list;
+}
+
+std::string reason(const MetricExpression& metric, MetricStatus status) {
+  return metric.text + ": " + to_string(status);
+}
+
+}  // namespace
+
+std::vector<double> loads_of(const MetricExpression& metric) {
+  std::vector<double> loads;
+  for (const Term& term : metric.terms) {
+    const auto* request = std::get_if<MetricRequest>(&term);
+    if (request != nullptr && request->argument == Argument::torque) loads.push_back(request->at);
+  }
+  return loads;
+}
+
+std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
+  std::vector<ImpliedLimit> limits;
+  for (const MetricExpression& metric : asked(problem)) {
+    for (const double load : loads_of(metric)) {
+      const bool known = std::any_of(limits.begin(), limits.end(),
+                                     [&](const ImpliedLimit& l) { return l.load == load; });
+      if (!known)
+        limits.push_back({"max_torque >= " + number_text(load) + " N.m for " + metric.text, load});
+    }
+  }
+  if (orders_friction(problem)) limits.push_back({"static_friction >= kinetic_friction", {}});
+  return limits;
+}
+
+CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied)
+    : problem_(std::move(problem)),
+      varied_(varied_parameters(problem_)),
+      implied_(std::move(implied)),
+      responses_(asked(problem_)) {
+  for (const ImpliedLimit& limit : implied_) {
+    if (limit.load) responses_.push_back(parse_metric("max_torque"));
+  }
+  evaluator_ = ExpressionEvaluator(responses_);
+}
+
+optim::Evaluation CombinationResponses::evaluate(std::span<const double> design,
+                                                 bool gradient) const {
+  try {
+    return evaluate_motor(design, gradient);
+  } catch (const EvaluationError& error) {
+    optim::Evaluation failed;
+    failed.failure = error.reason();
+    return failed;
+  } catch (const InputError& error) {  // a combination of values that is no motor
+    optim::Evaluation failed;
+    failed.failure = std::string("not a motor: ") + error.what();
+    return failed;
+  }
+}
+
+CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
+                                                            bool gradient) const {
+  Numbers numbers =
+      metric_values(Motor(motor), evaluator_, gradient, varied_.fixed_static_friction());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const MetricStatus status = numbers[i].value.status;
+    if (status != MetricStatus::ok)
+      throw EvaluationError(reason(responses_[i], status), "no answer for this motor");
+  }
+  return numbers;
+}
+
+optim::Evaluation CombinationResponses::evaluate_motor(std::span<const double> design,
+                                                       bool gradient) const {
+  const MotorDesign motor = motor_of_combination(problem_, varied_, design);
+  Numbers responses = numbers(motor, gradient);
+  add_friction_order(design, responses);
+  const auto slopes = gradient ? varied_.slopes(motor) : VariedParameters::Slopes{};
+  optim::Evaluation evaluation;
+  for (const MetricDerivative& response : responses) {
+    evaluation.values.push_back(response.value.value);
+    if (!gradient) continue;
+    const std::vector<double> row = varied_.derivatives(response.gradient, slopes);
+    evaluation.jacobian.insert(evaluation.jacobian.end(), row.begin(), row.end());
+  }
+  if (gradient) add_kinks(design, responses, evaluation);
+  return evaluation;
+}
+
+// mu_0 - mu of the requested values. If it is negative, the motor has mu_0 = mu.
+void CombinationResponses::add_friction_order(std::span<const double> design,
+                                              Numbers& numbers) const {
+  if (implied_.empty() || implied_.back().load) return;
+  double kinetic = problem_.motor.friction.kinetic;
+  double static_ = 0;
+  for (std::size_t j = 0; j < problem_.variables.size(); ++j) {
+    if (problem_.variables[j].parameter == Parameter::kinetic_friction) kinetic = design[j];
+    if (problem_.variables[j].parameter == Parameter::static_friction) static_ = design[j];
+  }
+  constexpr std::size_t kStatic = index_of(Parameter::static_friction);
+  constexpr std::size_t kKinetic = index_of(Parameter::kinetic_friction);
+  if (static_ < kinetic) {
+    for (MetricDerivative& response : numbers) {
+      response.gradient[kKinetic] += response.gradient[kStatic];
+      response.gradient[kStatic] = 0;
+    }
+  }
+  MetricDerivative order;
+  order.value.value = static_ - kinetic;
+  order.gradient[kStatic] = 1;
+  order.gradient[kKinetic] = -1;
+  numbers.push_back(order);
+}
+
+void CombinationResponses::add_kinks(std::span<const double> design, const Numbers& numbers,
+                                     optim::Evaluation& evaluation) const {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i].smoothness != Smoothness::one_sided) continue;
+    for (std::size_t j = 0; j < design.size(); ++j) add_kink(i, j, design, evaluation);
+  }
+}
+
+// Metrics return the derivative of their branch. The derivative of the other branch is computed at a design next to
+// this one.
+void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
+                                    std::span<const double> design,
+                                    optim::Evaluation& evaluation) const {
+  const auto slope_aside = [&](double step) {
+    std::vector<double> next(design.begin(), design.end());
+    next[variable] *= 1 + step;
+    try {
+      const MotorDesign motor = motor_of_combination(problem_, varied_, next);
+      const Numbers aside = metric_values(Motor(motor), std::span(&responses_[response], 1), true,
+                                          varied_.fixed_static_friction());
+      return varied_.derivatives(aside[0].gradient, varied_.slopes(motor))[variable];
+    } catch (const InputError&) {  // the step leaves the admissible range
+      return kNoValue;
+    } catch (const EvaluationError&) {  // likewise for a derived parameter
+      return kNoValue;
+    }
+  };
+  if (info(problem_.variables[variable].parameter).integer) return;
+  const double left = slope_aside(-kAside);
+  const double right = slope_aside(kAside);
+  const double size = std::max(std::fabs(left), std::fabs(right));
+  if (!(std::fabs(left - right) > kSameSlope * size)) return;
+  evaluation.kinks.push_back({response, variable, optim::Slope::one_sided, left, right});
+}
+
+MotorResponses::MotorResponses(DesignProblem problem)
+    : problem_(std::move(problem)), implied_(implied_limits(problem_)) {
+  for (DesignProblem& one : combinations(problem_))
+    combinations_.emplace_back(std::move(one), implied_);
+}
+
+optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {
+  const CombinationResponses& one = combinations_[combination_of(problem_, design)];
+  const std::size_t variables = problem_.variables.size();
+  optim::Evaluation evaluation = one.evaluate(design.first(variables), gradient);
+  if (problem_.choices.empty() || evaluation.jacobian.empty()) return evaluation;
+  std::vector<double> wide;  // with a column of zeros for each choice
+  for (std::size_t i = 0; i < evaluation.values.size(); ++i) {
+    const auto row = evaluation.jacobian.begin() + static_cast<std::ptrdiff_t>(i * variables);
+    wide.insert(wide.end(), row, row + static_cast<std::ptrdiff_t>(variables));
+    wide.resize(wide.size() + problem_.choices.size(), 0);
+  }
+  evaluation.jacobian = std::move(wide);
+  return evaluation;
+}
+
+}  // namespace twum::studies

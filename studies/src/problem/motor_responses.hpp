@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "problem/metric_values.hpp"
+
+#include <twum/studies/motor_problem.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace twum::studies {
+
+/// A limit that follows from the metrics and variables of a question.
+struct ImpliedLimit {
+  std::string name;
+  std::optional<double> load;  ///< max_torque >= load [N m]; otherwise static >= kinetic friction
+};
+
+/// The loads [N m] in the arguments of an expression's metrics.
+std::vector<double> loads_of(const MetricExpression& metric);
+
+std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
+
+/// Responses of a motor and their Jacobian for one combination of sets.
+class CombinationResponses {
+ public:
+  /// @param implied  implied limits of the whole question, the same for each combination
+  CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied);
+
+  /// @param design  values of the variables
+  optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
+
+ private:
+  using Numbers = std::vector<MetricDerivative>;  // one for each response
+
+  Numbers numbers(const MotorDesign& motor, bool gradient) const;
+  void add_friction_order(std::span<const double> design, Numbers& numbers) const;
+  optim::Evaluation evaluate_motor(std::span<const double> design, bool gradient) const;
+  void add_kinks(std::span<const double> design, const Numbers& numbers,
+                 optim::Evaluation& evaluation) const;
+  void add_kink(std::size_t response, std::size_t variable, std::span<const double> design,
+                optim::Evaluation& evaluation) const;
+
+  DesignProblem problem_;
+  VariedParameters varied_;
+  std::vector<ImpliedLimit> implied_;
+  // all except the order of the friction coefficients, which comes last
+  std::vector<MetricExpression> responses_;
+  ExpressionEvaluator evaluator_;  // of these
+};
+
+/// motor_problem() without the check for an objective.
+optim::Problem posed_problem(const DesignProblem& problem);
+
+/// The evaluator of motor_problem(): selects the combination of a design and computes its responses.
+class MotorResponses {
+ public:
+  explicit MotorResponses(DesignProblem problem);
+
+  optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
+
+  const std::vector<ImpliedLimit>& implied() const noexcept { return implied_; }
+
+ private:
+  DesignProblem problem_;
+  std::vector<ImpliedLimit> implied_;
+  std::vector<CombinationResponses> combinations_;
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/tables.hpp"
+
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/catalogue.hpp>
+#include <twum/motors/reasons.hpp>
+
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace twum::studies {
+namespace {
+
+// Units that a page shows besides those of its tables.
+constexpr const char* kShownUnits[] = {"1", "%", "rad/s", "m/s", "Hz", "1/s", "ohm", "H"};
+// Further units offered to users, besides those shown; each is tried for every dimension.
+constexpr const char* kOtherUnits[] = {"rpm",    "deg",    "cm",     "in",  "lbf",    "bar",
+                                       "psi",    "kgf.cm", "ozf.in", "%",   "g/cm^3", "W/cm^2",
+                                       "W/mm^2", "N/mm^2", "N.mm",   "pC/N"};
+
+void add_unit(Json& units, const std::string& text, std::string_view si_unit) {
+  try {
+    units[text] = parse_unit(text, {si_unit, ""}).factor();
+  } catch (const ValueError&) {
+    return;  // of another dimension
+  }
+}
+
+Json units_of(std::string_view si_unit) {
+  Json units = Json::object();
+  add_unit(units, std::string(si_unit), si_unit);
+  for (const DisplayUnit& shown : display_units(si_unit)) add_unit(units, shown.text, si_unit);
+  if (si_unit == "kg") add_unit(units, "g", si_unit), add_unit(units, "mg", si_unit);
+  for (const char* other : kOtherUnits) add_unit(units, other, si_unit);
+  return units;
+}
+
+// Units of parameters and metrics.
+std::set<std::string> units_of_tables() {
+  std::set<std::string> units;
+  for (const ParameterInfo& row : parameter_table()) units.emplace(row.unit);
+  for (const MetricInfo& row : metric_table()) units.emplace(row.unit);
+  return units;
+}
+
+// The values of every entry "unit" of a page, and of those in every object "units".
+void add_units_in(const Json& json, std::set<std::string>& units) {
+  for (const auto& [key, value] : json.items()) {
+    if (key == "unit" && value.is_string()) units.insert(value.get<std::string>());
+    if (key == "units" && value.is_object())
+      for (const Json& unit : value)
+        if (unit.is_string()) units.insert(unit.get<std::string>());
+    if (value.is_structured()) add_units_in(value, units);
+  }
+}
+
+const char* argument_word(Argument argument) {
+  switch (argument) {
+    case Argument::none: return "none";
+    case Argument::speed: return "speed";
+    case Argument::torque: return "torque";
+    case Argument::speed_or_torque: return "speed or torque";
+  }
+  return "none";
+}
+
+// The example of the table in SI; 0 for a word such as `auto`.
+double typical(const ParameterInfo& row) {
+  try {
+    return parse_quantity(row.example, {row.unit, row.example});
+  } catch (const ValueError&) {
+    return 0;
+  }
+}
+
+const char* word_of(stator::InnerEdge edge) {
+  switch (edge) {
+    case stator::InnerEdge::free: return "free";
+    case stator::InnerEdge::clamped: return "clamped";
+    case stator::InnerEdge::supported: return "supported";
+  }
+  return "free";
+}
+
+// Whether a motor file of the design would state the parameter, including the parameters of a wide contact if there
+// is one slice.
+bool stated(const MotorDesign& design, const MotorDesign& wide, Parameter parameter) {
+  return parameter == Parameter::radial_slices || in_use(design, parameter) ||
+         in_use(wide, parameter);
+}
+
+// Without entries that are false or null, for which the page takes those that are missing.
+Json only_true(Json row) {
+  for (auto entry = row.begin(); entry != row.end();)
+    entry = entry->is_null() || *entry == false ? row.erase(entry) : std::next(entry);
+  return row;
+}
+
+}  // namespace
+
+Json parameters_json() {
+  Json json = Json::object();
+  for (const ParameterInfo& row : parameter_table())
+    json[std::string(row.name)] = only_true(
+        {{"symbol", row.symbol},
+         {"unit", row.unit},
+         {"text", row.text},
+         {"integer", row.integer},
+         {"part", row.file_entry.substr(0, row.file_entry.find('.'))},
+         {"entry", row.file_entry},
+         {"min", row.min},
+         {"max", row.max},
+         {"typical", typical(row)},
+         {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
+         {"alternative",
+          row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}});
+  return json;
+}
+
+Json metrics_json() {
+  Json json = Json::object();
+  for (const MetricInfo& row : metric_table())
+    json[std::string(row.name)] = only_true(
+        {{"unit", row.unit},
+         {"text", row.text},
+         {"argument", argument_word(row.argument)},
+         {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
+         {"modes", row.needs_modes},
+         {"geometry", row.needs_geometry}});
+  return json;
+}
+
+Json reasons_json() {
+  Json json = Json::object();
+  for (const Reason& reason : reasons()) json[to_string(reason.status)] = reason.meaning;
+  return json;
+}
+
+Json units_json() {
+  std::set<std::string> si_units = units_of_tables();
+  si_units.insert({"ohm", "H"});  // of an equivalent circuit
+  Json json = Json::object();
+  for (const std::string& unit : si_units)
+    if (unit != "1") json[unit] = units_of(unit);
+  return json;
+}
+
+Json display_units_json(const Json& page) {
+  std::set<std::string> si_units = units_of_tables();
+  si_units.insert(std::begin(kShownUnits), std::end(kShownUnits));
+  add_units_in(page, si_units);
+  Json json = Json::object();
+  for (const std::string& si_unit : si_units) {
+    json[si_unit] = Json::array();
+    for (const DisplayUnit& unit : display_units(si_unit))
+      json[si_unit].push_back(
+          {{"text", printed_unit(unit.text)}, {"typed", unit.text}, {"divisor", unit.divisor}});
+  }
+  return json;
+}
+
+Json materials_json() {
+  Json json = Json::object();
+  for (const Material& material : material_catalogue())
+    for (const MaterialValue& value : material.values)
+      json[material.name][value.name] = value.value;
+  return json;
+}
+
+Json stated_motor_json(const std::string& name, const MotorDesign& design) {
+  MotorDesign wide = design;
+  wide.stator.radial_slices = kAutoSlices;
+  Json values = Json::object();
+  for (const ParameterInfo& row : parameter_table()) {
+    const double value = get(design, row.parameter);
+    if (stated(design, wide, row.parameter) && std::isfinite(value))
+      values[std::string(row.name)] = value;
+  }
+  const Stator& stator = design.stator;
+  Json table = Json::array();
+  for (const auto& [radius, shape] : stator.radial_shape.table) table.push_back({radius, shape});
+  return {{"name", name},
+          {"values", std::move(values)},
+          {"branch", stator.branch == Branch::dead ? "dead" : "running"},
+          {"inner_edge", stator.geometry ? Json(word_of(stator.geometry->support)) : Json(nullptr)},
+          {"table", std::move(table)}};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/core/motor_design.hpp>
+
+#include <string>
+
+/// Tables of parameters, metrics, units and materials for pages; internal.
+namespace twum::studies {
+
+/// {name: {"symbol", "unit", "text", "integer", "part", "entry": in the motor file, "min", "max", "typical": the example
+/// of the table [SI], "required": in a motor file, "alternative": the parameter that may be given instead, or null}}
+Json parameters_json();
+
+/// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "share": shown in per cent,
+/// "modes", "geometry"}}
+Json metrics_json();
+
+/// {word: what it means} of missing answers
+Json reasons_json();
+
+/// {SI unit: {unit that one may type: SI value of it}} for the units of parameters and metrics.
+Json units_json();
+
+/// {SI unit: [{"text": "kN·m", "typed": "kN.m", "divisor": SI value of it}, largest first]} for the units of parameters and
+/// metrics, those that scripts name, and those in the data of a page: its entries "unit" and "units".
+Json display_units_json(const Json& page);
+
+/// {material: {property: SI value}}
+Json materials_json();
+
+/// A motor in the form of the interactive designer page: {"name", "values": {parameter: SI value} of what is stated,
+/// "branch", "inner_edge", "table": rows of the radial shape}
+Json stated_motor_json(const std::string& name, const MotorDesign& design);
+
+}  // namespace twum::studies

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/study_result.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+
+/// Parts of summary.json and of the terminal's summary for each kind of answer; internal.
+namespace twum::studies {
+
+using Json = nlohmann::ordered_json;
+
+/// A number, or null where there is none.
+inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// The content of summary.json.
+Json summary_value(const StudyResult& result);
+
+/// Entries of an answer in summary.json, in their order.
+Json answer_json(const CurveResult& result);
+Json answer_json(const FrequencyResult& result);
+Json answer_json(const SweepResult& result);
+Json answer_json(const SensitivityResult& result);
+Json answer_json(const OptimizeResult& result);
+Json answer_json(const ParetoResult& result);
+Json answer_json(const UncertaintyResult& result);
+Json answer_json(const CalibrateResult& result);
+
+/// Lines for the terminal, each with its end; empty if there is nothing to say.
+std::string answer_text(const CurveResult& result);
+std::string answer_text(const FrequencyResult& result);
+std::string answer_text(const SweepResult& result);
+std::string answer_text(const SensitivityResult& result);
+std::string answer_text(const OptimizeResult& result);
+std::string answer_text(const ParetoResult& result);
+std::string answer_text(const UncertaintyResult& result);
+std::string answer_text(const CalibrateResult& result);
+
+}  // namespace twum::studies

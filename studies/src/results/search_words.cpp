@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/search_words.hpp"
+
+#include <twum/io/engineering.hpp>
+#include <twum/io/text_table.hpp>
+#include <twum/io/words.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+// For several goals, the improvement of each per unit of relaxation while the others stay.
+void add_gains(Json& json, double multiplier, const optim::Certificate& certificate) {
+  if (certificate.prices.size() < 2) return;
+  json["gains"] = Json::array();
+  for (const double gain : gains(multiplier, certificate))
+    json["gains"].push_back(number_json(gain));
+}
+
+const char* sense_word(bool at_least) { return at_least ? "at least" : "at most"; }
+
+Json limit_json(const LimitState& state, const optim::Certificate& certificate) {
+  Json json{{"text", state.text},
+            {"metric", state.metric},
+            {"unit", state.unit},
+            {"sense", sense_word(state.at_least)},
+            {"lower", number_json(state.lower)},
+            {"upper", number_json(state.upper)},
+            {"value", number_json(state.value)},
+            {"limit", number_json(state.limit)},
+            {"violation", number_json(state.violation)},
+            {"tolerance", number_json(state.tolerance)},
+            {"active", state.active},
+            {"multiplier", number_json(state.multiplier)},
+            {"gain_per_percent", number_json(state.gain_per_percent)}};
+  if (state.active) add_gains(json, state.multiplier, certificate);
+  return json;
+}
+
+Json bound_json(const BoundState& state, const optim::Certificate& certificate) {
+  Json json{{"variable", state.variable.name},
+            {"side", state.upper ? "upper" : "lower"},
+            {"limit", number_json(state.limit)},
+            {"multiplier", number_json(state.multiplier)},
+            {"gain_per_percent", number_json(state.gain_per_percent)}};
+  add_gains(json, state.multiplier, certificate);
+  return json;
+}
+
+Json certificate_json(const optim::Certificate& certificate) {
+  Json json{{"passed", certificate.passed},
+            {"second_order", certificate.second_order},
+            {"reason", certificate.reason},
+            {"infeasibility", number_json(certificate.infeasibility)},
+            {"stationarity", number_json(certificate.stationarity)},
+            {"complementarity", number_json(certificate.complementarity)},
+            {"gain", number_json(certificate.gain)},
+            {"curvature", number_json(certificate.curvature)},
+            {"weights", certificate.weights},
+            {"prices", certificate.prices},
+            {"findings", Json::array()}};
+  for (const optim::Finding& finding : certificate.findings)
+    json["findings"].push_back({{"kind", optim::to_string(finding.kind)},
+                                {"text", finding.text},
+                                {"names", finding.names}});
+  return json;
+}
+
+std::string relaxed(const RelaxationState& state, double amount) {
+  if (!std::isfinite(amount)) return "does not help alone";
+  if (amount == 0) return "as it is";
+  const double limit = state.at_least ? state.limit - amount : state.limit + amount;
+  return (state.at_least ? ">= " : "<= ") + engineering(limit, state.unit);
+}
+
+std::string range_words(const RangeState& end, double limit) {
+  return end.variable.name + (end.upper ? " at most " : " at least ") +
+         engineering(limit, end.variable.unit);
+}
+
+std::string impossible_words(const ImpossibleState& limit, const std::vector<RangeState>& ranges) {
+  std::string text = limit.text + " cannot be reached: the " + (limit.at_least ? "most" : "least") +
+                     " found within the ranges is " + engineering(limit.best, limit.unit);
+  std::vector<std::string> ends;
+  for (const std::size_t at : limit.ends) ends.push_back(range_words(ranges[at], ranges[at].limit));
+  if (!ends.empty()) text += ", at " + enumeration(ends);
+  if (!limit.choice.empty()) text += ", with " + choice_words(limit.choice);
+  return text + ".\n";
+}
+
+// Limits impossible by themselves first, then those that exclude each other.
+std::string cause_words(const Explanation& told) {
+  std::string text = "No design satisfies all limits";
+  std::vector<std::string> group;
+  for (const std::string& name : told.conflict)
+    if (std::ranges::find(told.impossible, name, &ImpossibleState::text) == told.impossible.end())
+      group.push_back(name);
+  if (told.impossible.empty() && group.size() == 1)
+    text += ": " + group.front() + " cannot be reached";
+  if (told.impossible.empty() && group.size() > 1)
+    text += "; these cannot hold together: " + enumeration(group);
+  text += ".\n";
+  for (const ImpossibleState& limit : told.impossible) text += impossible_words(limit, told.ranges);
+  if (!told.impossible.empty() && !group.empty())
+    text += "Without " + std::string(told.impossible.size() == 1 ? "it" : "them") +
+            " these cannot hold together: " + enumeration(group) + ".\n";
+  return text;
+}
+
+std::string relaxation_table(const std::vector<RelaxationState>& limits) {
+  if (limits.empty()) return {};
+  TextTable table{{{"limit to loosen", "together with the others", "alone"}}};
+  for (const RelaxationState& state : limits)
+    table.rows.push_back(
+        {state.text, relaxed(state, state.amount), relaxed(state, state.amount_alone)});
+  return "\n" + aligned(table);
+}
+
+std::string range_table(const std::vector<RangeState>& ranges) {
+  if (ranges.empty()) return {};
+  TextTable table{{{"end of a range to move", "alone"}}};
+  for (const RangeState& end : ranges)
+    table.rows.push_back(
+        {range_words(end, end.limit), std::isfinite(end.limit_alone)
+                                          ? "possible with " + range_words(end, end.limit_alone)
+                                          : "none found"});
+  return "\n" + aligned(table);
+}
+
+}  // namespace
+
+Json values_json(const std::vector<NamedValue>& values) {
+  Json json = Json::object();
+  for (const NamedValue& value : values) json[value.name] = number_json(value.value);
+  return json;
+}
+
+void add_units(Json& units, const std::vector<NamedValue>& values) {
+  for (const NamedValue& value : values) units[value.name] = value.unit;
+}
+
+Json choice_json(const std::vector<ChosenSet>& choice) {
+  Json json = Json::object();
+  for (const ChosenSet& one : choice) json[one.choice] = one.set;
+  return json;
+}
+
+std::string choice_words(const std::vector<ChosenSet>& choice) {
+  std::vector<std::string> words;
+  for (const ChosenSet& one : choice) words.push_back(one.choice + " " + printable(one.set));
+  return enumeration(words);
+}
+
+Json goal_json(const Goal& goal) {
+  return {{"metric", goal.metric}, {"sense", goal.maximize ? "maximize" : "minimize"}};
+}
+
+std::vector<double> gains(double multiplier, const optim::Certificate& certificate) {
+  constexpr double kNoWeight = 1e-9;  // of a sum of 1; rounding of the least squares solution
+  std::vector<double> list;
+  for (std::size_t k = 0; k < certificate.prices.size(); ++k)
+    list.push_back(certificate.weights[k] > kNoWeight ? multiplier / certificate.prices[k]
+                                                      : std::numeric_limits<double>::quiet_NaN());
+  return list;
+}
+
+bool broken(const LimitState& limit) {
+  if (std::isnan(limit.violation)) return true;
+  const double tolerance =
+      std::isnan(limit.tolerance)
+          ? optim::SolveOptions().feasibility_tolerance * std::fabs(limit.limit)
+          : limit.tolerance;
+  return limit.violation > tolerance;
+}
+
+bool keeps_limits(const DesignReport& report) {
+  return std::none_of(report.constraints.begin(), report.constraints.end(),
+                      [](const LimitState& limit) { return broken(limit); });
+}
+
+Json limits_json(const DesignReport& report) {
+  const optim::Certificate& certificate = report.certificate;
+  Json json{{"constraints", Json::array()}, {"bounds", Json::array()}};
+  for (const LimitState& state : report.constraints)
+    json["constraints"].push_back(limit_json(state, certificate));
+  for (const BoundState& state : report.bounds)
+    json["bounds"].push_back(bound_json(state, certificate));
+  json["certificate"] = certificate_json(certificate);
+  return json;
+}
+
+Json report_json(const DesignReport& report) {
+  Json json = Json::object();
+  if (!report.choice.empty()) json["choice"] = choice_json(report.choice);
+  json["design"] = values_json(report.design);
+  json["metrics"] = values_json(report.metrics);
+  if (!report.statistics.empty()) json["statistics"] = values_json(report.statistics);
+  json.update(limits_json(report));
+  return json;
+}
+
+Json relaxation_json(const Explanation& explanation) {
+  Json json{{"conflict", explanation.conflict},
+            {"limits", Json::array()},
+            {"impossible", Json::array()},
+            {"ranges", Json::array()}};
+  for (const RelaxationState& state : explanation.limits)
+    json["limits"].push_back({{"text", state.text},
+                              {"metric", state.metric},
+                              {"unit", state.unit},
+                              {"sense", sense_word(state.at_least)},
+                              {"limit", number_json(state.limit)},
+                              {"amount", number_json(state.amount)},
+                              {"amount_alone", number_json(state.amount_alone)}});
+  for (const ImpossibleState& state : explanation.impossible)
+    json["impossible"].push_back({{"text", state.text},
+                                  {"unit", state.unit},
+                                  {"sense", sense_word(state.at_least)},
+                                  {"limit", number_json(state.limit)},
+                                  {"best", number_json(state.best)},
+                                  {"certified", state.certified},
+                                  {"ends", state.ends}});
+  for (const RangeState& end : explanation.ranges)
+    json["ranges"].push_back({{"variable", end.variable.name},
+                              {"side", end.upper ? "upper" : "lower"},
+                              {"limit", number_json(end.limit)},
+                              {"limit_alone", number_json(end.limit_alone)}});
+  if (!explanation.choice.empty()) json["choice"] = choice_json(explanation.choice);
+  for (std::size_t i = 0; i < explanation.impossible.size(); ++i)
+    if (!explanation.impossible[i].choice.empty())
+      json["impossible"][i]["choice"] = choice_json(explanation.impossible[i].choice);
+  return json;
+}
+
+std::string goal_words(const Goal& goal) {
+  return (goal.maximize ? "largest " : "smallest ") + goal.metric;
+}
+
+std::string change_words(double value, const std::string& unit) {
+  if (std::isnan(value) || value == 0) return "nothing";
+  return (value > 0 ? "+" : "") + engineering(value, unit, 3);
+}
+
+std::string end_words(const BoundState& bound) {
+  return bound.upper ? "at its largest" : "at its smallest";
+}
+
+std::string enumeration(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " and ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string relaxation_words(const Explanation& explanation) {
+  const std::string nearest = explanation.choice.empty()
+                                  ? ""
+                                  : "No combination of the choices keeps all limits; " +
+                                        choice_words(explanation.choice) + " comes nearest.\n";
+  return cause_words(explanation) + nearest + relaxation_table(explanation.limits) +
+         range_table(explanation.ranges);
+}
+
+std::string finding_words(const optim::Certificate& certificate) {
+  std::string text;
+  for (const optim::Finding& finding : certificate.findings) {
+    if (finding.kind == optim::Degeneracy::flat_direction) {
+      text += "A valley: " + enumeration(finding.names) +
+              (finding.names.size() > 1 ? " can change together" : " can change") +
+              " without changing the answer; this design is one of many.\n";
+      continue;
+    }
+    text += finding.text;
+    if (!finding.names.empty()) text += ": " + enumeration(finding.names);
+    text += ".\n";
+  }
+  return text;
+}
+
+double goal_value(const DesignReport& report, const Goal& goal) {
+  const double metric = value_of(report.metrics, goal.metric);
+  return std::isnan(metric) ? value_of(report.statistics, goal.metric) : metric;
+}
+
+double value_of(const std::vector<NamedValue>& values, const std::string& name) {
+  for (const NamedValue& value : values) {
+    if (value.name == name) return value.value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace twum::studies

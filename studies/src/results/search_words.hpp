@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/studies/optimize_result.hpp>
+
+#include <string>
+#include <vector>
+
+/// Common parts of the answers of optimize, size and pareto; internal.
+namespace twum::studies {
+
+Json values_json(const std::vector<NamedValue>& values);
+/// Units of everything that values_json() was given.
+void add_units(Json& units, const std::vector<NamedValue>& values);
+Json goal_json(const Goal& goal);
+/// {lining: "peek.yaml"}
+Json choice_json(const std::vector<ChosenSet>& choice);
+/// {constraints, bounds, certificate}
+Json limits_json(const DesignReport& report);
+/// {choice, design, metrics, constraints, bounds, certificate}; `choice` only where there is one
+Json report_json(const DesignReport& report);
+/// {conflict, limits: [{text, limit, amount, amount_alone}], impossible: [{text, limit, best, certified, ends}],
+/// ranges: [{variable, side, limit, limit_alone}]}; `ends` are positions in `ranges`.
+Json relaxation_json(const Explanation& explanation);
+
+/// "lining peek.yaml and rotor light.yaml"
+std::string choice_words(const std::vector<ChosenSet>& choice);
+/// "largest peak_power", "smallest max_pressure"
+std::string goal_words(const Goal& goal);
+/// "+1.2 W"; "nothing" for no change.
+std::string change_words(double value, const std::string& unit);
+/// "at its largest"
+std::string end_words(const BoundState& bound);
+/// "a, b and c"
+std::string enumeration(const std::vector<std::string>& names);
+/// The limits that are impossible alone, those that exclude each other, and the smallest changes that help.
+std::string relaxation_words(const Explanation& explanation);
+/// The findings of a certificate, one line each.
+std::string finding_words(const optim::Certificate& certificate);
+/// The value of a name; NaN if it is not there.
+double value_of(const std::vector<NamedValue>& values, const std::string& name);
+/// The value of a goal at a design; NaN if it has none.
+double goal_value(const DesignReport& report, const Goal& goal);
+
+}  // namespace twum::studies

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/answers.hpp"
+#include "results/provenance.hpp"
+
+#include <twum/base/version.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+// More than these are in the file.
+constexpr std::size_t kReasonsShown = 5;
+
+// A number, or the name of the set with this number.
+Json end_json(const StoredColumn& variable, double value) {
+  const std::string* word = variable.word(value);
+  return word == nullptr ? number_json(value) : Json(*word);
+}
+
+std::string end_text(const StoredColumn& variable, double value) {
+  const std::string* word = variable.word(value);
+  return word == nullptr ? engineering(value, variable.unit) : printable(*word);
+}
+
+Json regions_json(const std::vector<FailureRegion>& regions) {
+  Json list = Json::array();
+  for (const FailureRegion& region : regions) {
+    Json where = Json::object();
+    for (const FailureRegion::Range& range : region.where) {
+      where[range.variable.name] = {{"low", end_json(range.variable, range.low)},
+                                    {"high", end_json(range.variable, range.high)}};
+    }
+    list.push_back({{"reason", region.reason}, {"count", region.count}, {"where", where}});
+  }
+  return list;
+}
+
+// "amplitude 0.8 um to 1 um, preload 250 N to 300 N"
+std::string where_text(const FailureRegion& region) {
+  std::string text;
+  for (const FailureRegion::Range& range : region.where) {
+    if (!std::isfinite(range.low)) continue;
+    text += (text.empty() ? "" : ", ") + range.variable.name + " " +
+            end_text(range.variable, range.low);
+    if (range.high > range.low) text += " to " + end_text(range.variable, range.high);
+  }
+  return text;
+}
+
+std::string failures_text(const StudyResult& result) {
+  if (result.failures.empty()) return {};
+  std::uint64_t count = 0;
+  for (const auto& [reason, times] : result.failures) count += times;
+  std::string text = std::to_string(count) + " failed or incomplete:\n";
+  std::size_t shown = 0;
+  for (const FailureRegion& region : result.failure_regions) {
+    if (shown++ == kReasonsShown) break;
+    text += "  " + std::to_string(region.count) + "  " + printable(region.reason, 200) + "\n";
+    const std::string where = where_text(region);
+    if (!where.empty()) text += "     at " + where + "\n";
+  }
+  if (result.failure_regions.size() > kReasonsShown) {
+    text += "  and " + counted(result.failure_regions.size() - kReasonsShown, "more reason") +
+            ", see summary.json\n";
+  }
+  return text;
+}
+
+std::string count_text(const StudyResult& result) {
+  return counted(result.evaluations, "evaluation") + " in " + rounded_text(result.seconds, 3) +
+         " s\n";
+}
+
+// What a certificate says of the optimum; the word in the file stays "optimal".
+std::string outcome_words(const StudyResult& result) {
+  const auto* one = std::get_if<OptimizeResult>(&result.answer);
+  if (one == nullptr || result.outcome != "optimal") return result.outcome;
+  const bool proved = one->best.certificate.second_order || !one->best.certificate.passed;
+  return proved ? "local optimum" : "first order only";
+}
+
+std::string heading(const StudyResult& result) {
+  std::string text = result.study + " (" + std::string(to_string(result.kind)) + ")";
+  if (!result.motor.empty()) text += " of " + printable(result.motor);
+  return text + ": " + outcome_words(result) + "\n";
+}
+
+}  // namespace
+
+Json summary_value(const StudyResult& result) {
+  Json json{{"study", result.study},
+            {"kind", to_string(result.kind)},
+            {"motor", result.motor},
+            {"outcome", result.outcome},
+            {"evaluations", result.evaluations},
+            {"failures", result.failures},
+            {"failure_regions", regions_json(result.failure_regions)},
+            {"seed", result.seed},
+            {"version", version()},
+            {"started", result.started},
+            {"seconds", number_json(result.seconds)},
+            {"hash", result.hash},
+            {"build", build_json()},
+            {"model_notes", result.model_notes}};
+  const Json answer = std::visit([](const auto& one) { return answer_json(one); }, result.answer);
+  json.update(answer);
+  return json;
+}
+
+std::string summary_json(const StudyResult& result) {
+  return summary_value(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_text(const StudyResult& result, std::span<const std::string> said) {
+  const std::string answer =
+      std::visit([](const auto& one) { return answer_text(one); }, result.answer);
+  std::string text = heading(result);
+  if (result.outcome == "interrupted")
+    text += "\nInterrupted: this is what there was by then, and not the answer.\n";
+  if (!answer.empty()) text += "\n" + answer;
+  std::string notes;
+  for (const std::string& note : result.model_notes)
+    if (std::find(said.begin(), said.end(), note) == said.end()) notes += "note: " + note + "\n";
+  if (!notes.empty()) text += "\n" + notes;
+  return text + "\n" + count_text(result) + failures_text(result);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
+#include <twum/studies/distribution.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+
+Distribution Distribution::normal(double mean, double sd) { return {Shape::normal, mean, sd}; }
+
+Distribution Distribution::lognormal(double mean, double sd) {
+  TWUM_ASSERT(mean > 0);
+  // Mean exp(m + s^2 / 2) and variance (exp(s^2) - 1) mean^2 of the quantity, solved for m and s.
+  const double ratio = sd / mean;
+  const double variance = std::log1p(ratio * ratio);
+  return {Shape::lognormal, std::log(mean) - variance / 2, std::sqrt(variance)};
+}
+
+Distribution Distribution::uniform(double min, double max) { return {Shape::uniform, min, max}; }
+
+Distribution Distribution::triangular(double min, double mode, double max) {
+  return {Shape::triangular, min, max, mode};
+}
+
+Distribution Distribution::within(double min, double max) const {
+  Distribution result = *this;
+  result.bottom_ = whole_cdf(min);
+  result.top_ = whole_cdf(max);
+  result.min_ = min;
+  result.max_ = max;
+  result.limited_ = true;
+  return result;
+}
+
+double Distribution::quantile(double p) const {
+  if (!limited_) return whole_quantile(p);
+  const double share = bottom_ + p * (top_ - bottom_);
+  // Keeps a probability that rounds to 0 or 1 inside the open interval.
+  const double inside = std::clamp(share, 0x1.0p-1022, 1 - 0x1.0p-53);
+  return std::clamp(whole_quantile(inside), min_, max_);
+}
+
+double Distribution::whole_cdf(double x) const {
+  switch (shape_) {
+    case Shape::normal: return optim::normal_cdf((x - a_) / b_);
+    case Shape::lognormal: return x > 0 ? optim::normal_cdf((std::log(x) - a_) / b_) : 0;
+    case Shape::uniform: return std::clamp((x - a_) / (b_ - a_), 0.0, 1.0);
+    case Shape::triangular:
+      if (x <= a_ || x >= b_) return x <= a_ ? 0 : 1;
+      if (x <= c_) return (x - a_) / (b_ - a_) * ((x - a_) / (c_ - a_));
+      return 1 - (b_ - x) / (b_ - a_) * ((b_ - x) / (b_ - c_));
+  }
+  TWUM_ASSERT(false);
+  return 0;
+}
+
+double Distribution::whole_quantile(double p) const {
+  switch (shape_) {
+    case Shape::normal: return a_ + b_ * optim::normal_quantile(p);
+    case Shape::lognormal: return std::exp(a_ + b_ * optim::normal_quantile(p));
+    case Shape::uniform: return a_ + p * (b_ - a_);
+    case Shape::triangular:
+      if (p * (b_ - a_) <= c_ - a_) return a_ + std::sqrt(p * (b_ - a_) * (c_ - a_));
+      return b_ - std::sqrt((1 - p) * (b_ - a_) * (b_ - c_));
+  }
+  TWUM_ASSERT(false);
+  return 0;
+}
+
+}  // namespace twum::studies

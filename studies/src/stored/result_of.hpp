@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/rows/study_kind.hpp"
+#include "results/row_pass.hpp"
+
+#include <twum/io/result_store.hpp>
+
+namespace twum::studies {
+
+/// The result for an answer: counts, notes and failures of its rows, without name, hash and times.
+StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
+                      KindAnswer answer);
+void set_failures(StudyResult& result, const FailureCount& failures);
+FailureCount failures_of(const StudyKindRun& kind, const ResultStore& store);
+
+/// Names of the facts that a database keeps beside the rows.
+namespace facts {
+inline constexpr const char* kHash = "hash";
+inline constexpr const char* kVersion = "version";
+inline constexpr const char* kStudyText = "study";
+inline constexpr const char* kFiles = "files";
+inline constexpr const char* kStarted = "started";
+inline constexpr const char* kSeconds = "seconds";
+inline constexpr const char* kComplete = "complete";
+}  // namespace facts
+
+}  // namespace twum::studies

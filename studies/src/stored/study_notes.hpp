@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/rows/study_kind.hpp"
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Notes on a study as it was asked, by its kind and its motor.
+std::vector<std::string> notes_of(const StudyFile& file, const StudyKindRun& kind);
+
+}  // namespace twum::studies
