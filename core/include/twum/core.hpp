@@ -23,6 +23,7 @@
 #include <twum/core/batch.hpp>
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/core/frequency_response.hpp>
+#include <twum/core/held_point.hpp>
 #include <twum/core/metric_value.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>

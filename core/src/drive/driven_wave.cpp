@@ -32,9 +32,7 @@ ModelArray<double> wave_values(const MotorDesign& design) {
 }
 
 StatorModes<double> modes_of(const MotorDesign& design) {
-  const auto modes = stator_modes(design);
-  TWUM_ASSERT(modes.has_value());
-  return *modes;
+  return stator_modes(design).value_or(StatorModes<double>{});
 }
 
 // Theta u_f (D6.1) [N]; zero without a voltage.
@@ -136,6 +134,7 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
   s.force_per_speed =
       (w.balance.real * w.balance.real + w.balance.imaginary * w.balance.imaginary).d[kInSpeed] /
       (2 * a.wave.force());
+  s.balance_per_speed = {w.balance.real.d[kInSpeed], w.balance.imaginary.d[kInSpeed]};
   s.amplitude_per_speed = w.amplitude_per_speed();
   s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
   s.numbers = w.numbers, s.states = std::move(w.states);

@@ -51,7 +51,8 @@ struct Stability {
 /// A motor at one frequency with variable amplitude: the force that each amplitude and speed needs from the drive.
 class DrivenWaves {
  public:
-  /// @param design  with modal data; without a voltage the drive force is zero. Its amplitude is ignored
+  /// @param design  without a voltage the drive force is zero, without modal data the stator has neither mass nor stiffness nor
+  ///                loss. Its amplitude is ignored
   /// @param track   the same for all amplitudes, so that H(A) has no steps
   DrivenWaves(const MotorDesign& design, const TrackRule& track);
 
@@ -84,6 +85,7 @@ class DrivenWaves {
     SlopedWave in_amplitude;
     PointNumbers<contact::MotionDual> numbers;
     double force_per_speed{0};  ///< H_Omega, or H_omega along the frequency
+    WaveBalance<double> balance_per_speed{0, 0};  ///< R and I likewise
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
   };
@@ -104,6 +106,7 @@ class DrivenWaves {
   bool splits() const { return model_.track.splits; }
   /// mu_0 > mu: only laps from rest tell the contact's state, not a wave nearby.
   bool has_static_excess() const { return performance::has_static_excess(model_); }
+  const MotorModel<double>& model() const { return model_; }
   const StatorModes<double>& modes() const { return modes_; }
   double drive() const { return drive_; }
   double omega() const { return omega_; }

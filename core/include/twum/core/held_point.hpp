@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/motor_design.hpp>
+#include <twum/core/operating_point.hpp>
+
+namespace twum {
+
+/// What a drive changes so that the motor carries a torque at a speed.
+enum class DriveControl : unsigned char {
+  amplitude,  ///< the wave's amplitude, at the frequency of the design; needs no modal data
+  voltage,    ///< the voltage, at the frequency of the design
+  frequency   ///< the frequency, at the voltage of the design
+};
+
+/// Whether a drive can hold a torque at a speed.
+enum class HeldStatus : unsigned char {
+  ok,
+  torque_out_of_reach,  ///< no amplitude carries the torque: it is beyond the plateau of full slip
+  voltage_too_low,      ///< no frequency is enough
+  unstable_amplitude,   ///< a disturbed wave does not return
+  no_periodic_state,    ///< the layer's motion does not become periodic (typical: mu_0 > mu)
+  not_converged
+};
+
+/// Short machine-readable word, such as "voltage-too-low"; "ok" for ok. Static lifetime.
+const char* to_string(HeldStatus status) noexcept;
+
+/// A torque held at a speed. Numbers are NaN where there is no such wave.
+struct HeldPoint {
+  HeldStatus status{HeldStatus::ok};  ///< ok, or why the drive cannot hold it
+  double amplitude{0};                ///< A of the wave [m]
+  double frequency{0};                ///< of the drive [Hz]
+  double voltage{0};                  ///< of a phase, rms [V]; NaN without modal data
+  /// What would do: the largest torque [N m] for `torque_out_of_reach`, the least voltage [V] for `voltage_too_low`. Else NaN.
+  double needed{0};
+  /// True if the rotor would leave the speed under this torque at a fixed drive: only a controller of the speed holds it.
+  bool by_control_only{false};
+  OperatingPoint point{};  ///< of the motor under this wave, where status is ok
+};
+
+/// The wave of the smallest amplitude that carries a torque at a speed (Y2.1), and the drive that holds it (Y2.2, Y2.3).
+///
+/// The result is smooth in all values as long as the status is ok and no zone begins or ends.
+/// @param torque  load torque [N m]
+/// @param speed   of the rotor [rad/s], more than 0
+/// @throws InputError if speed is not more than 0, if torque is not finite, or if modal data or, for `frequency`, a voltage are
+///         missing
+HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control);
+
+/// The motor with the wave of a held point in place of its drive: its amplitude and frequency are given.
+/// @throws InputError if they lie outside the ranges of a motor
+MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held);
+
+}  // namespace twum

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/held_point.hpp>
+
+#include "held/loaded_wave.hpp"
+#include "point/operating_point.hpp"
+#include "point/slice_count.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
+#include <twum/core/parameters.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace twum {
+
+using namespace performance;
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+// T_p - T goes with the cube of A_p - A: closer to the plateau the amplitude is not determined.
+constexpr double kReach = 1 - 1e-6;
+constexpr int kMostFrequencies = 60;
+constexpr double kSettled = 1e-13;  // of omega
+
+HeldPoint without_wave(HeldStatus status, double needed = kNoValue) {
+  return {status, kNoValue, kNoValue, kNoValue, needed, false, {}};
+}
+
+// dT / dOmega along H = Theta u_0 (D5.4): under a constant torque the speed returns where it is negative.
+bool holds_by_itself(const DrivenWaves& waves, const LoadedWave& w, double speed) {
+  const WarmStart start = w.slopes.solved.start();
+  const DrivenWaves::LevelSlopes s = waves.at_frequency(w.omega).slopes(w.amplitude, speed, &start);
+  return s.torque_per_speed < 0;
+}
+
+class Holding {
+ public:
+  Holding(const MotorDesign& design, const TrackRule& track, double torque, double speed,
+          DriveControl control)
+      : modes_(stator_modes(design)),
+        waves_(design, track),
+        loaded_(waves_, torque, speed),
+        speed_(speed),
+        control_(control) {}
+
+  HeldPoint held() const {
+    const bool may_exceed = waves_.has_static_excess() || waves_.model().inertia > 0;
+    if (!may_exceed && loaded_.torque() > kReach * loaded_.plateau())
+      return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
+    auto wave = loaded_.smallest(waves_.omega());
+    if (!wave) return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
+    if (control_ == DriveControl::frequency) return at_frequency(std::move(*wave));
+    return told(*wave);
+  }
+
+ private:
+  // (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the
+  // torque. Without enough voltage it leads to R = 0, where the least is needed.
+  HeldPoint at_frequency(LoadedWave w) const {
+    const double drive = waves_.drive();
+    for (int i = 0; i < kMostFrequencies; ++i) {
+      const double square = drive * drive - w.force.imaginary * w.force.imaginary;
+      const double flank = square > 0 ? std::sqrt(square) : 0;
+      const double follows = -w.torque_in_omega / w.torque_in_amplitude;  // dA / domega
+      const double real_slope = w.in_omega.real + w.in_amplitude.real * follows,
+                   imaginary_slope = w.in_omega.imaginary + w.in_amplitude.imaginary * follows;
+      const double gap = w.force.real + flank;
+      double slope = real_slope;
+      if (flank > 0) slope -= w.force.imaginary * imaginary_slope / flank;
+      if (!(slope < 0)) slope = real_slope;  // next to R = 0 the root is steep
+      double step = -gap / slope;
+      const double room = 0.05 * w.omega;
+      if (std::fabs(step) > room) step = std::copysign(room, step);
+      if (std::fabs(step) <= kSettled * w.omega) {
+        if (square < 0)
+          return without_wave(HeldStatus::voltage_too_low, rms_of(std::fabs(w.force.imaginary)));
+        return told(w);
+      }
+      auto next = loaded_.near(w, w.omega + step);
+      if (!next) next = loaded_.smallest(w.omega + step);
+      if (!next) return without_wave(HeldStatus::no_periodic_state);
+      w = std::move(*next);
+    }
+    return without_wave(HeldStatus::not_converged);
+  }
+
+  double rms_of(double force) const {
+    return std::numbers::sqrt2 / 2 * force / modes_->force_factor / modes_->unequal.share();
+  }
+
+  HeldPoint told(const LoadedWave& w) const {
+    HeldPoint held;
+    held.needed = kNoValue;
+    held.amplitude = w.amplitude, held.frequency = w.omega / kTurn;
+    held.voltage = modes_ ? rms_of(w.force.force()) : kNoValue;
+    const DrivenWaves there = waves_.at_frequency(w.omega);
+    held.point = operating_point_of(there.motor(w.amplitude), w.slopes.solved, speed_,
+                                    modes_ ? &*modes_ : nullptr);
+    if (control_ == DriveControl::amplitude) return held;
+    if (!there.stability(w.slopes.in_amplitude).stable())
+      held.status = HeldStatus::unstable_amplitude;
+    held.by_control_only = !holds_by_itself(waves_, w, speed_);
+    return held;
+  }
+
+  std::optional<StatorModes<double>> modes_;
+  DrivenWaves waves_;
+  LoadedWaves loaded_;
+  double speed_;
+  DriveControl control_;
+};
+
+MotorDesign with_wave(MotorDesign design, double amplitude) {
+  design.stator.voltage.reset();
+  design.stator.amplitude = amplitude;  // may exceed the range of the parameter
+  return design;
+}
+
+// The number of slices for `auto` follows from the wave that one slice has under the load.
+TrackRule track_of(const MotorDesign& design, double torque, double speed, DriveControl control) {
+  constexpr int kWithoutWave = -8;
+  if (design.stator.radial_slices != kAutoSlices)
+    return track_rule(with_wave(design, design.stator.amplitude));
+  const MotorDesign one = with(design, Parameter::radial_slices, 1);
+  const TrackRule narrow = track_rule(with_wave(one, one.stator.amplitude));
+  const double amplitude = Holding(one, narrow, torque, speed, control).held().amplitude;
+  if (amplitude > 0) return track_rule(with_wave(design, amplitude));
+  return track_rule(
+      with_wave(with(design, Parameter::radial_slices, kWithoutWave), design.stator.amplitude));
+}
+
+}  // namespace
+
+const char* to_string(HeldStatus status) noexcept {
+  switch (status) {
+    case HeldStatus::ok: return "ok";
+    case HeldStatus::torque_out_of_reach: return "torque-out-of-reach";
+    case HeldStatus::voltage_too_low: return "voltage-too-low";
+    case HeldStatus::unstable_amplitude: return "unstable-amplitude";
+    case HeldStatus::no_periodic_state: return "no-periodic-state";
+    case HeldStatus::not_converged: return "not-converged";
+  }
+  return "not-converged";
+}
+
+HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control) {
+  require_motor(design);
+  if (!std::isfinite(torque)) throw InputError("a held torque must be finite");
+  if (!(speed > 0) || !std::isfinite(speed))
+    throw InputError(
+        "a torque is held at a speed of more than 0 rad/s: at rest friction holds without a wave");
+  if (control != DriveControl::amplitude && !has_modal_data(design))
+    throw InputError("a drive that follows by " +
+                     std::string(control == DriveControl::voltage ? "voltage" : "frequency") +
+                     " needs the stator's modal data");
+  if (control == DriveControl::frequency && !design.stator.voltage)
+    throw InputError("a drive that follows by frequency needs a voltage");
+  return Holding(design, track_of(design, torque, speed, control), torque, speed, control).held();
+}
+
+MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {
+  return with(with(design, Parameter::amplitude, held.amplitude), Parameter::frequency,
+              held.frequency);
+}
+
+}  // namespace twum

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "held/loaded_wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+// ln A from node to node below the first wave that carries the torque. Ripples of a layer that rings are longer.
+constexpr double kLongest = 0.04, kShortest = 2e-3;
+// The layer touches the rotor as fast as it turns at the smallest amplitude of interest; the largest is far beyond any motor's.
+constexpr double kBeyond = 1e4;
+constexpr int kMostSteps = 400, kMostTries = 80;
+constexpr double kSettled = 1e-13;  // of A
+
+}  // namespace
+
+double LoadedWaves::plateau() const {
+  const MotorModel<double>& m = waves_.model();
+  return m.kinetic * m.preload * waves_.motor(waves_.full_contact_amplitude()).lever;
+}
+
+// Without inertia T(A) rises up to its plateau (980 curves); with mu_0 > mu it jumps.
+bool LoadedWaves::is_monotone() const {
+  return waves_.model().inertia == 0 && !waves_.has_static_excess();
+}
+
+LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* near) const {
+  const DrivenWaves there = waves_.at_frequency(omega);
+  std::optional<WarmStart> start;
+  if (near) start = near->slopes.solved.start();
+  LoadedWave w;
+  w.amplitude = amplitude, w.omega = omega;
+  w.slopes =
+      there.slopes(amplitude, speed_, start ? &*start : nullptr, 0, nullptr, Continued::frequency);
+  if (!w.ok()) return w;
+  const SlopedWave& s = w.slopes.in_amplitude;
+  const contact::MotionDual& torque = w.slopes.numbers.torque;
+  w.torque = torque.v;
+  w.torque_in_amplitude = torque.d[contact::kInAmplitude];
+  w.torque_in_omega = torque.d[contact::kInSpeed];
+  w.force = s.wave.balance, w.in_amplitude = s.slope;
+  w.in_omega = w.slopes.balance_per_speed;
+  return w;
+}
+
+// Newton's method in a bracket, halving where it leaves it.
+std::optional<LoadedWave> LoadedWaves::between(LoadedWave low, LoadedWave high) const {
+  LoadedWave w = high;
+  for (int i = 0; i < kMostTries; ++i) {
+    double next = w.amplitude + (torque_ - w.torque) / w.torque_in_amplitude;
+    const double step = std::fabs(next - w.amplitude);
+    if (step <= kSettled * w.amplitude) return w;
+    if (!(next > low.amplitude && next < high.amplitude))
+      next = 0.5 * (low.amplitude + high.amplitude);
+    if (high.amplitude - low.amplitude <= kSettled * high.amplitude) {
+      // A jump of the torque passes by the load.
+      const double scale = std::fabs(torque_) + plateau();
+      return high.torque - low.torque <= 1e-9 * scale ? std::optional(high) : std::nullopt;
+    }
+    w = at(next, w.omega, &w);
+    if (!w.ok()) return {};
+    (w.torque < torque_ ? low : high) = w;
+  }
+  return {};
+}
+
+// Where the torque rises behind one node and falls before the next one, it has a peak between them.
+std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
+                                                    const LoadedWave& high) const {
+  if (!(low.torque_in_amplitude > 0 && high.torque_in_amplitude < 0)) return {};
+  LoadedWave a = low, b = high;
+  for (int i = 0; i < kMostTries && b.amplitude - a.amplitude > 1e-6 * b.amplitude; ++i) {
+    const double share = a.torque_in_amplitude / (a.torque_in_amplitude - b.torque_in_amplitude);
+    const double next = a.amplitude + std::clamp(share, 0.1, 0.9) * (b.amplitude - a.amplitude);
+    LoadedWave w = at(next, low.omega, &a);
+    if (!w.ok()) return {};
+    if (w.torque >= torque_) return w;
+    (w.torque_in_amplitude > 0 ? a : b) = std::move(w);
+  }
+  return {};
+}
+
+// From the amplitude on at which the stator's crest is as fast as the rotor, where the contact only brakes.
+std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
+  const double least = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
+  LoadedWave last = at(least, omega);
+  const bool monotone = is_monotone();
+  double step = monotone ? 4 * kLongest : kLongest;
+  for (int i = 0; i < kMostSteps; ++i) {
+    LoadedWave next = at(last.amplitude * std::exp(step), omega, last.ok() ? &last : nullptr);
+    if (next.amplitude > kBeyond * least + 1) return {};
+    if (monotone) step *= 1.3;
+    if (!next.ok() || !last.ok()) {
+      last = std::move(next);
+      continue;
+    }
+    if (next.torque >= torque_) return last.torque < torque_ ? between(last, next) : next;
+    if (!monotone) {
+      if (auto peak = peak_between(last, next)) return between(last, *peak);
+      const double left = (torque_ - next.torque) / (next.torque_in_amplitude * next.amplitude);
+      step = left > 0 ? std::clamp(0.5 * left, kShortest, kLongest) : kLongest;
+      // Beyond the plateau nothing changes any more.
+      if (next.slopes.solved.drives() && last.slopes.solved.drives() && i > kMostSteps / 2)
+        return {};
+    }
+    last = std::move(next);
+  }
+  return {};
+}
+
+std::optional<LoadedWave> LoadedWaves::smallest(double omega) const {
+  return first_carrying(omega);
+}
+
+std::optional<LoadedWave> LoadedWaves::near(const LoadedWave& known, double omega) const {
+  const double slope = -known.torque_in_omega / known.torque_in_amplitude;
+  LoadedWave w = at(known.amplitude + slope * (omega - known.omega), omega, &known);
+  double last = HUGE_VAL;
+  for (int i = 0; i < kMostTries && w.ok(); ++i) {
+    const double step = (torque_ - w.torque) / w.torque_in_amplitude;
+    if (!(w.torque_in_amplitude > 0) || !(std::fabs(step) < last)) return {};
+    if (std::fabs(step) <= kSettled * w.amplitude) return w;
+    last = std::fabs(step);
+    w = at(w.amplitude + step, omega, &w);
+  }
+  return {};
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drive/driven_wave.hpp"
+
+#include <optional>
+
+namespace twum::performance {
+
+/// A wave at a speed, with the derivatives of its torque and of its force from the drive in amplitude and frequency.
+struct LoadedWave {
+  double amplitude{0}, omega{0};
+  double torque{0}, torque_in_amplitude{0}, torque_in_omega{0};
+  /// R and I of the drive's force (D2.3) and their derivatives.
+  WaveBalance<double> force{0, 0}, in_amplitude{0, 0}, in_omega{0, 0};
+  DrivenWaves::LevelSlopes slopes{};
+
+  bool ok() const { return slopes.solved.status == PointStatus::ok; }
+};
+
+/// A motor at one speed under one load, whose drive follows.
+class LoadedWaves {
+ public:
+  LoadedWaves(const DrivenWaves& waves, double torque, double speed)
+      : waves_(waves), torque_(torque), speed_(speed) {}
+
+  double torque() const { return torque_; }
+  /// Torque of a contact that slips and drives all through; with mu_0 > mu a few per cent more are possible.
+  double plateau() const;
+  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
+  /// The wave of the smallest amplitude that carries the torque at a frequency (Y2.1); nothing if none does.
+  std::optional<LoadedWave> smallest(double omega) const;
+  /// The same near a wave that is known, by Newton's method; nothing if that leads elsewhere.
+  std::optional<LoadedWave> near(const LoadedWave& known, double omega) const;
+
+ private:
+  std::optional<LoadedWave> between(LoadedWave low, LoadedWave high) const;
+  std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
+  std::optional<LoadedWave> first_carrying(double omega) const;
+  bool is_monotone() const;
+
+  const DrivenWaves& waves_;
+  double torque_, speed_;
+};
+
+}  // namespace twum::performance
