@@ -226,12 +226,12 @@ class Certifier {
     if (scaling_->size() == 0) certificate().second_order = true;
     if (!hessian_) return;
     const double largest = hessian_->cwiseAbs().maxCoeff();
-    const double zero = std::max(kZero * largest, kNoise * slope_);
+    const double zero = no_curvature(largest);
     const ConeCurvature cone = cone_curvature(*hessian_, limits_, zero);
     certificate().curvature = largest > 0.0 ? cone.smallest / largest : cone.smallest;
     const ProbeBase base{result_.point, result_.multipliers, *hessian_, allowed_gain()};
     const bool falls = cone.direction.size() > 0;
-    if (falls) result_.better = descent(session_, *scaling_, base, cone.direction);
+    if (falls) result_.better = probe(session_, *scaling_, base, cone.direction).better;
     const bool regular = !has(Degeneracy::dependent_constraints);
     if (falls && (result_.better || (regular && cone.smallest < -kClear * zero)))
       certificate().findings.push_back({Degeneracy::negative_curvature,
@@ -241,18 +241,42 @@ class Certifier {
     // Beside an inflection the curvature is small, but not zero: the third order decides.
     const Eigen::MatrixXd shallow =
         cone_curvature(*hessian_, limits_, std::max(zero, kShallow * largest)).flat;
-    for (Index j = 0; j < shallow.cols(); ++j) probe_both_ways(base, shallow.col(j));
-    certificate().second_order = cone.decided && !falls && !result_.better;
+    bool shown = cone.flat.cols() == 0;
+    for (Index j = 0; j < shallow.cols(); ++j) {
+      const bool rises = rises_both_ways(base, shallow.col(j));
+      // Several directions without curvature can be mixed to others, which nobody has tried.
+      if (cone.flat.cols() == 1 && same_line(cone.flat.col(0), shallow.col(j))) shown = rises;
+    }
+    certificate().second_order = cone.decided && shown && !falls && !result_.better;
   }
 
-  void probe_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
+  // Curvature up to which a direction has none.
+  double no_curvature(double largest) {
+    const double known = std::max(slope_, objective_size());
+    const bool seen =
+        known > kShallow * largest || session_.left() < 2 ||
+        curvature_is_resolved(session_, *scaling_, result_.point, result_.multipliers, *hessian_);
+    const double any = static_cast<double>(hessian_->rows()) * largest;  // bounds each eigenvalue
+    return std::max(kNoise * known, seen ? kZero * largest : any);
+  }
+
+  static bool same_line(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return std::abs(a.dot(b)) > 0.999 * a.norm() * b.norm();
+  }
+
+  // Whether the objective is seen to rise along a direction, both ways as far as the limits allow them.
+  bool rises_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
     constexpr std::size_t kSteps = 15;
+    bool rises = true;
     for (const double sign : {1.0, -1.0}) {
-      if (result_.better || session_.left() < kSteps) return;
+      if (result_.better || session_.left() < kSteps) return false;
       const Eigen::VectorXd d = sign * direction;
       if (limits_.weak.cols() > 0 && (limits_.weak.transpose() * d).minCoeff() < -1e-9) continue;
-      result_.better = descent(session_, *scaling_, base, d);
+      const Probed probed = probe(session_, *scaling_, base, d);
+      result_.better = probed.better;
+      rises = rises && probed.rises;
     }
+    return rises;
   }
 
   void name_flat_direction(const Eigen::VectorXd& direction) {
