@@ -27,6 +27,7 @@ constexpr double kShallow = 1e-4;  // of the Hessian: curvature that a step of 1
 constexpr double kZero = 1e-6;
 constexpr double kClear = 10.0;
 constexpr double kNoise = 1e-8;
+constexpr double kRounding = 1e-12;  // of slopes that cancel each other
 
 class Certifier {
  public:
@@ -67,7 +68,8 @@ class Certifier {
   bool feasible() const { return result_.point.violation <= options_.feasibility_tolerance; }
   bool stationary() const {
     const Certificate& c = result_.certificate;
-    return c.stationarity <= options_.tolerance && !(gain_ > allowed_gain());
+    const bool all_slopes = objectives_ == 1 || gain_ != kNotMeasured || balanced_;
+    return c.stationarity <= options_.tolerance && all_slopes && !(gain_ > allowed_gain());
   }
   bool has(Degeneracy kind) const {
     const auto& f = result_.certificate.findings;
@@ -76,12 +78,18 @@ class Certifier {
   const std::string& variable_name(Index k) const {
     return session_.problem().variables[scaling_->variable(static_cast<std::size_t>(k))].name;
   }
+  // The largest, if there are several: at an end of a front the one with a weight may be zero.
   double objective_size() const {
-    return std::abs(scaling_->factor(0) * result_.point.evaluation.values[0]);
+    double size = 0.0;
+    for (std::size_t k = 0; k < objectives_; ++k)
+      size = std::max(size, std::abs(scaling_->factor(k) * result_.point.evaluation.values[k]));
+    return size;
   }
-  // (O3.3): a billionth of the objective, or what rounding leaves of slopes and curvatures.
+  // (O3.3): a billionth of the objective, or what rounding leaves of slopes and curvatures. The points of a front lie
+  // apart by far more.
   double allowed_gain() const {
-    return 1e-3 * options_.tolerance * objective_size() + 1e-8 * options_.tolerance * size_;
+    const double part = objectives_ == 1 ? 1e-3 : 1e-2;
+    return options_.tolerance * (part * objective_size() + kNoise * size_);
   }
 
   bool limit_matters(std::size_t response) const {
@@ -133,9 +141,12 @@ class Certifier {
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
     // Each gradient is weighted, so that a large gradient with weight 0 does not hide an error in the others.
-    slope_ = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
-    steepest_ = (gradients * result_.multipliers.weights.asDiagonal()).cwiseAbs().maxCoeff();
+    const Eigen::MatrixXd weighted = gradients * result_.multipliers.weights.asDiagonal();
+    slope_ = slope_beside_bounds(weighted, result_.multipliers);
+    steepest_ = weighted.cwiseAbs().maxCoeff();
     set_stationarity(slope_);
+    balanced_ = each_slope_is_balanced(weighted, result_.multipliers, options_.tolerance,
+                                       kRounding * size_);
   }
 
   // (O3.2). Forces of limits that cancel each other are no measure, but they leave rounding errors.
@@ -153,15 +164,6 @@ class Certifier {
     certificate().stationarity = residual > 0.0 ? residual / size_ : 0.0;
   }
 
-  // Size of the gradient over the variables that no bound holds, because a steep slope into a bound says nothing about
-  // the others.
-  double gradient_size(const Eigen::MatrixXd& gradients) const {
-    Eigen::VectorXd sizes = gradients.cwiseAbs().rowwise().maxCoeff();
-    for (std::size_t i = 0; i < result_.multipliers.bounds.size(); ++i)
-      if (result_.multipliers.bound_values[i] > 0.0) sizes[result_.multipliers.bounds[i]] = 0.0;
-    return sizes.maxCoeff();
-  }
-
   // (O3.1, O3.2): where gradient and multipliers vanish, the curvature is the measure.
   void measure_with_curvature() {
     const bool needed = objectives_ == 1 || !stationary();
@@ -171,7 +173,7 @@ class Certifier {
     if (!hessian_) return;
     set_stationarity(std::max(slope_, hessian_->cwiseAbs().maxCoeff()));
     limits_ = strength(result_.point, result_.multipliers, size_);
-    if (objectives_ == 1) set_gain();
+    set_gain();
   }
 
   // (O3.3): what the quadratic model gains within one magnitude of the variables, along the directions in which the
@@ -189,7 +191,7 @@ class Certifier {
         gain_ += step * (p - 0.5 * curvature * step);
       }
     }
-    certificate().gain = gain_ / scaling_->factor(0);
+    if (objectives_ == 1) certificate().gain = gain_ / scaling_->factor(0);
   }
 
   void name_dependent_limits() {
@@ -325,7 +327,7 @@ class Certifier {
     if (has(Degeneracy::undefined_gradient)) return "a derivative does not exist";
     if (!(c.stationarity <= options_.tolerance))
       return "not stationary: the objective can still improve to first order";
-    if (gain_ > allowed_gain()) return "not stationary: a step could still improve the objective";
+    if (!stationary()) return "not stationary: a step could still improve the objective";
     if (c.complementarity > 1e-2 * options_.tolerance)
       return "a limit with a nonzero multiplier is not active";
     if (has(Degeneracy::negative_curvature)) return "stationary, but not a minimum";
@@ -345,6 +347,7 @@ class Certifier {
   double steepest_{0.0};  // over all
   double size_{0.0};      // denominator of the stationarity
   double gain_{kNotMeasured};
+  bool balanced_{true};
   std::optional<Eigen::MatrixXd> hessian_;
   Strength limits_;
 };

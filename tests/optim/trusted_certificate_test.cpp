@@ -263,3 +263,31 @@ TEST_CASE("what is known of degenerate limits is told", "[optim][certificate][in
     CHECK((!r.certificate.passed || std::abs(r.evaluation.values[0] - 1.0) < 1e-6));
   }
 }
+
+TEST_CASE("a large slope or curvature in one variable hides no gain of both goals in another",
+          "[optim][certificate][pareto][closed_form]") {
+  for (const double large : {1e4, 1e7, 1e9}) {
+    Problem curved;
+    curved.variables = {{"x", 0.0, 1.0}, {"y", -1.0, 1.0}};
+    curved.objectives = {{"f"}, {"g"}};
+    curved.evaluate = [large](std::span<const double> x, bool) {
+      const double t = x[1] - 1.0;
+      Evaluation e;
+      e.values = {x[0] + large * x[1] * x[1], x[0] + t * t};
+      e.jacobian = {1.0, 2.0 * large * x[1], 1.0, 2.0 * t};
+      return e;
+    };
+    Problem steep = curved;
+    steep.constraints = {{"c", 0.0}};
+    steep.evaluate = [large](std::span<const double> x, bool) {
+      Evaluation e;
+      e.values = {x[0] + large * x[1], x[0] + 2.0 * large * x[1], x[1]};
+      e.jacobian = {1.0, large, 1.0, 2.0 * large, 0.0, 1.0};
+      return e;
+    };
+    for (const Problem& p : {curved, steep}) {
+      CHECK_FALSE(certify(p, Design{0.5, 0.0}).passed);
+      CHECK(certify(p, Design{0.0, 0.0}).passed);
+    }
+  }
+}
