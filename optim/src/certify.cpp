@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Index;
 
-// Scaled slack within which a limit counts as active. Multiplier times slack is then checked as complementarity.
-constexpr double kActivity = 1e-6;
+constexpr double kActivity =
+    1e-6;  // scaled slack of an active limit; then its complementarity is checked
 constexpr double kShallow = 1e-4;  // of the Hessian: curvature that a step of 1e-2 may outrun
 // Relative to the Hessian and to the gradient: curvature above the error of the differences, and clearly so.
 constexpr double kZero = 1e-6;
@@ -234,8 +234,8 @@ class Certifier {
     const ProbeBase base{result_.point, result_.multipliers, *hessian_, allowed_gain()};
     const bool falls = cone.direction.size() > 0;
     if (falls) result_.better = probe(session_, *scaling_, base, cone.direction).better;
-    const bool regular = !has(Degeneracy::dependent_constraints);
-    if (falls && (result_.better || (regular && cone.smallest < -kClear * zero)))
+    const bool clear = cone.smallest < -kClear * zero && !has(Degeneracy::dependent_constraints);
+    if (falls && (result_.better || clear))
       certificate().findings.push_back({Degeneracy::negative_curvature,
                                         "stationary, but the objective falls to second order",
                                         {}});
@@ -258,8 +258,8 @@ class Certifier {
     const bool seen =
         known > kShallow * largest || session_.left() < 2 ||
         curvature_is_resolved(session_, *scaling_, result_.point, result_.multipliers, *hessian_);
-    const double any = static_cast<double>(hessian_->rows()) * largest;  // bounds each eigenvalue
-    return std::max(kNoise * known, seen ? kZero * largest : any);
+    const double bound = static_cast<double>(hessian_->rows());  // of eigenvalues by entries
+    return std::max(kNoise * known, (seen ? kZero : bound) * largest);
   }
 
   static bool same_line(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -326,7 +326,10 @@ class Certifier {
     if (!feasible()) return "a constraint is violated";
     if (has(Degeneracy::undefined_gradient)) return "a derivative does not exist";
     if (!(c.stationarity <= options_.tolerance))
-      return "not stationary: the objective can still improve to first order";
+      return has(Degeneracy::dependent_constraints)
+                 ? "no multipliers balance the slope; where limits are dependent, an optimum may "
+                   "have none"
+                 : "not stationary: the objective can still improve to first order";
     if (!stationary()) return "not stationary: a step could still improve the objective";
     if (c.complementarity > 1e-2 * options_.tolerance)
       return "a limit with a nonzero multiplier is not active";
@@ -353,18 +356,6 @@ class Certifier {
 };
 
 }  // namespace
-
-const char* to_string(Degeneracy degeneracy) {
-  switch (degeneracy) {
-    case Degeneracy::flat_direction: return "flat-direction";
-    case Degeneracy::flat_objective: return "flat-objective";
-    case Degeneracy::dependent_constraints: return "dependent-constraints";
-    case Degeneracy::kink: return "kink";
-    case Degeneracy::negative_curvature: return "negative-curvature";
-    case Degeneracy::undefined_gradient: return "undefined-gradient";
-  }
-  return "unknown";
-}
 
 std::optional<Certified> certify_in(Session& session, const Scaling& search,
                                     std::span<const double> design, bool second_order) {
