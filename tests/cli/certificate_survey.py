@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether certified answers of random studies hold: `twum evaluate` shows each limit kept within its stated tolerance, and
-neither random designs beside the answer nor a search by another program (SLSQP of scipy, on differences) find one that keeps
+neither random designs in the valley of the answer nor a search by another program (SLSQP of scipy, on differences) find one that keeps
 the limits and is better by more than 1e-7.
 
-    certificate_survey.py TWUM [--count 300] [--seed 1] [--patience 20] [--minutes M]
+    certificate_survey.py TWUM [--count 300] [--first 0] [--seed 1] [--patience 20] [--minutes M]
 
 The studies are those of stop_study.py, by a solver drawn for each, in turn as `optimize`, `size`, `pareto` and `optimize` under
 tolerances. Of a front each certified point has to keep the limits, and one of them is looked beside: no design may be better in
@@ -102,7 +102,8 @@ def excess(limits, values, allowed):
             return math.inf
         low, high = limit["lower"], limit["upper"]
         over = max(-math.inf if low is None else low - value, -math.inf if high is None else value - high)
-        worst = max(worst, over - allowed * limit["tolerance"])
+        tolerance = limit["tolerance"] if limit["tolerance"] is not None else 0
+        worst = max(worst, over - allowed * tolerance)
     return worst
 
 
@@ -139,9 +140,15 @@ class Answer:
             return False
         return all(value < best - BETTER * abs(best) for value, best in zip(row, self.best[:number]))
 
+    def in_its_valley(self, design):
+        """Whether no goal rises on the straight way to a better design: else that is another local optimum."""
+        way = [{name: c + part * (design[name] - c) for name, c in self.centre.items()} for part in numpy.linspace(0, 1, 41)]
+        return all(value <= best + 1e-9 * abs(best) for row in self.values(way) for value, best in zip(row, self.best[:len(self.goals)]))
+
     def random_search(self, chance):
         designs = [beside(chance, self.centre, self.ranges) for _ in range(300)]
-        return next((design for design, row in zip(designs, self.values(designs)) if self.better(row)), None)
+        better = [design for design, row in zip(designs, self.values(designs)) if self.better(row)]
+        return next((design for design in better if self.in_its_valley(design)), None)
 
     def descent(self):
         """SLSQP within 3 % of the answer on central differences. Several goals have to fall alike, by t each."""
@@ -225,13 +232,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--patience", type=float, default=20)
     parser.add_argument("--minutes", type=float, default=math.inf)
     options = parser.parse_args()
     tally = collections.Counter()
     until = time.monotonic() + 60 * options.minutes
-    for number in range(options.count):
+    for number in range(options.first, options.first + options.count):
         if time.monotonic() > until:
             break
         with tempfile.TemporaryDirectory(prefix="twum-certificate-") as scratch:
@@ -242,6 +250,8 @@ def main():
         tally["wrong"] += len(wrong) > 0
         for word in wrong:
             print(f"seed {options.seed}, study {number}: {word}", flush=True)
+        if sys.stderr.isatty():
+            print(f"\r{number} {dict(tally)}", end="", file=sys.stderr)
     print(f"certificate_survey: {dict(tally)}", flush=True)
     return 1 if tally["wrong"] else 0
 
