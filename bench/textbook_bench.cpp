@@ -14,8 +14,9 @@ using namespace twum;
 
 namespace {
 
-bench::DirectAnswer by_auto(const optim::Problem& problem) {
+bench::DirectAnswer by_auto(const optim::Problem& problem, std::size_t starts) {
   optim::SolveOptions options;
+  options.starts = starts;
   options.analyse_infeasible = false;
   const optim::Result r = optim::solve(problem, options);
   return {r.design, r.counters.evaluations};
@@ -58,7 +59,9 @@ int main() {
   std::puts("| box | solver | optima reached | evaluations, median | mean |");
   std::puts("| --- | --- | --- | --- | --- |");
   for (const double width : {10.0, 100.0, 1e4}) {
-    print_row("`auto`, certificate included", width, by_auto);
+    for (const std::size_t starts : {1U, 8U})
+      print_row(("`auto`, starts " + std::to_string(starts) + ", certificate included").c_str(),
+                width, [&](const optim::Problem& p) { return by_auto(p, starts); });
     print_row("SLSQP called directly", width, bench::slsqp_directly);
     print_row("Ipopt called directly", width, bench::ipopt_directly);
   }

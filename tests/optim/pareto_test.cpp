@@ -86,6 +86,24 @@ TEST_CASE("three objectives: the fronts of DTLZ1 and DTLZ2", "[optim][pareto][ma
   CHECK(certified(sphere) == sphere.points.size());
 }
 
+TEST_CASE("a budget that ends leaves enough for the certificates of the points",
+          "[optim][pareto]") {
+  for (const auto& known : test::known_fronts(10)) {
+    if (known.name != "BNH" && known.name != "SRN") continue;
+    ParetoOptions options = options_for(known);
+    options.points = 20;
+    options.solve.budget.evaluations = 200;
+    const Front front = pareto_front(known.problem, options);
+    CAPTURE(known.name, front.counters.evaluations);
+    CHECK(front.outcome == Outcome::budget);
+    CHECK(front.counters.evaluations <= 200);
+    CHECK(front.points.size() >= 2);
+    for (const FrontPoint& point : front.points)
+      CHECK(point.certificate.stationarity > 0.0);  // measured, not left out
+    CHECK(certified(front) == front.points.size());
+  }
+}
+
 TEST_CASE("a population and gradients find the same front, gradients with fewer evaluations",
           "[optim][pareto][differential]") {
   for (const auto& known : test::known_fronts(100)) {

@@ -20,13 +20,14 @@ namespace {
 
 using Eigen::Index;
 
-// Scaled slack within which a limit counts as active. Multiplier times slack is then checked as complementarity.
-constexpr double kActivity = 1e-6;
+constexpr double kActivity =
+    1e-6;  // scaled slack of an active limit; then its complementarity is checked
 constexpr double kShallow = 1e-4;  // of the Hessian: curvature that a step of 1e-2 may outrun
 // Relative to the Hessian and to the gradient: curvature above the error of the differences, and clearly so.
 constexpr double kZero = 1e-6;
 constexpr double kClear = 10.0;
 constexpr double kNoise = 1e-8;
+constexpr double kRounding = 1e-12;  // of slopes that cancel each other
 
 class Certifier {
  public:
@@ -67,7 +68,8 @@ class Certifier {
   bool feasible() const { return result_.point.violation <= options_.feasibility_tolerance; }
   bool stationary() const {
     const Certificate& c = result_.certificate;
-    return c.stationarity <= options_.tolerance && !(gain_ > allowed_gain());
+    const bool all_slopes = objectives_ == 1 || gain_ != kNotMeasured || balanced_;
+    return c.stationarity <= options_.tolerance && all_slopes && !(gain_ > allowed_gain());
   }
   bool has(Degeneracy kind) const {
     const auto& f = result_.certificate.findings;
@@ -76,12 +78,18 @@ class Certifier {
   const std::string& variable_name(Index k) const {
     return session_.problem().variables[scaling_->variable(static_cast<std::size_t>(k))].name;
   }
+  // The largest, if there are several: at an end of a front the one with a weight may be zero.
   double objective_size() const {
-    return std::abs(scaling_->factor(0) * result_.point.evaluation.values[0]);
+    double size = 0.0;
+    for (std::size_t k = 0; k < objectives_; ++k)
+      size = std::max(size, std::abs(scaling_->factor(k) * result_.point.evaluation.values[k]));
+    return size;
   }
-  // (O3.3): a billionth of the objective, or what rounding leaves of slopes and curvatures.
+  // (O3.3): a billionth of the objective, or what rounding leaves of slopes and curvatures. The points of a front lie
+  // apart by far more.
   double allowed_gain() const {
-    return 1e-3 * options_.tolerance * objective_size() + 1e-8 * options_.tolerance * size_;
+    const double part = objectives_ == 1 ? 1e-3 : 1e-2;
+    return options_.tolerance * (part * objective_size() + kNoise * size_);
   }
 
   bool limit_matters(std::size_t response) const {
@@ -133,9 +141,12 @@ class Certifier {
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
     // Each gradient is weighted, so that a large gradient with weight 0 does not hide an error in the others.
-    slope_ = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
-    steepest_ = (gradients * result_.multipliers.weights.asDiagonal()).cwiseAbs().maxCoeff();
+    const Eigen::MatrixXd weighted = gradients * result_.multipliers.weights.asDiagonal();
+    slope_ = slope_beside_bounds(weighted, result_.multipliers);
+    steepest_ = weighted.cwiseAbs().maxCoeff();
     set_stationarity(slope_);
+    balanced_ = each_slope_is_balanced(weighted, result_.multipliers, options_.tolerance,
+                                       kRounding * size_);
   }
 
   // (O3.2). Forces of limits that cancel each other are no measure, but they leave rounding errors.
@@ -153,15 +164,6 @@ class Certifier {
     certificate().stationarity = residual > 0.0 ? residual / size_ : 0.0;
   }
 
-  // Size of the gradient over the variables that no bound holds, because a steep slope into a bound says nothing about
-  // the others.
-  double gradient_size(const Eigen::MatrixXd& gradients) const {
-    Eigen::VectorXd sizes = gradients.cwiseAbs().rowwise().maxCoeff();
-    for (std::size_t i = 0; i < result_.multipliers.bounds.size(); ++i)
-      if (result_.multipliers.bound_values[i] > 0.0) sizes[result_.multipliers.bounds[i]] = 0.0;
-    return sizes.maxCoeff();
-  }
-
   // (O3.1, O3.2): where gradient and multipliers vanish, the curvature is the measure.
   void measure_with_curvature() {
     const bool needed = objectives_ == 1 || !stationary();
@@ -171,7 +173,7 @@ class Certifier {
     if (!hessian_) return;
     set_stationarity(std::max(slope_, hessian_->cwiseAbs().maxCoeff()));
     limits_ = strength(result_.point, result_.multipliers, size_);
-    if (objectives_ == 1) set_gain();
+    set_gain();
   }
 
   // (O3.3): what the quadratic model gains within one magnitude of the variables, along the directions in which the
@@ -189,7 +191,7 @@ class Certifier {
         gain_ += step * (p - 0.5 * curvature * step);
       }
     }
-    certificate().gain = gain_ / scaling_->factor(0);
+    if (objectives_ == 1) certificate().gain = gain_ / scaling_->factor(0);
   }
 
   void name_dependent_limits() {
@@ -226,14 +228,14 @@ class Certifier {
     if (scaling_->size() == 0) certificate().second_order = true;
     if (!hessian_) return;
     const double largest = hessian_->cwiseAbs().maxCoeff();
-    const double zero = std::max(kZero * largest, kNoise * slope_);
+    const double zero = no_curvature(largest);
     const ConeCurvature cone = cone_curvature(*hessian_, limits_, zero);
     certificate().curvature = largest > 0.0 ? cone.smallest / largest : cone.smallest;
     const ProbeBase base{result_.point, result_.multipliers, *hessian_, allowed_gain()};
     const bool falls = cone.direction.size() > 0;
-    if (falls) result_.better = descent(session_, *scaling_, base, cone.direction);
-    const bool regular = !has(Degeneracy::dependent_constraints);
-    if (falls && (result_.better || (regular && cone.smallest < -kClear * zero)))
+    if (falls) result_.better = probe(session_, *scaling_, base, cone.direction).better;
+    const bool clear = cone.smallest < -kClear * zero && !has(Degeneracy::dependent_constraints);
+    if (falls && (result_.better || clear))
       certificate().findings.push_back({Degeneracy::negative_curvature,
                                         "stationary, but the objective falls to second order",
                                         {}});
@@ -241,18 +243,42 @@ class Certifier {
     // Beside an inflection the curvature is small, but not zero: the third order decides.
     const Eigen::MatrixXd shallow =
         cone_curvature(*hessian_, limits_, std::max(zero, kShallow * largest)).flat;
-    for (Index j = 0; j < shallow.cols(); ++j) probe_both_ways(base, shallow.col(j));
-    certificate().second_order = cone.decided && !falls && !result_.better;
+    bool shown = cone.flat.cols() == 0;
+    for (Index j = 0; j < shallow.cols(); ++j) {
+      const bool rises = rises_both_ways(base, shallow.col(j));
+      // Several directions without curvature can be mixed to others, which nobody has tried.
+      if (cone.flat.cols() == 1 && same_line(cone.flat.col(0), shallow.col(j))) shown = rises;
+    }
+    certificate().second_order = cone.decided && shown && !falls && !result_.better;
   }
 
-  void probe_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
+  // Curvature up to which a direction has none.
+  double no_curvature(double largest) {
+    const double known = std::max(slope_, objective_size());
+    const bool seen =
+        known > kShallow * largest || session_.left() < 2 ||
+        curvature_is_resolved(session_, *scaling_, result_.point, result_.multipliers, *hessian_);
+    const double bound = static_cast<double>(hessian_->rows());  // of eigenvalues by entries
+    return std::max(kNoise * known, (seen ? kZero : bound) * largest);
+  }
+
+  static bool same_line(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return std::abs(a.dot(b)) > 0.999 * a.norm() * b.norm();
+  }
+
+  // Whether the objective is seen to rise along a direction, both ways as far as the limits allow them.
+  bool rises_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
     constexpr std::size_t kSteps = 15;
+    bool rises = true;
     for (const double sign : {1.0, -1.0}) {
-      if (result_.better || session_.left() < kSteps) return;
+      if (result_.better || session_.left() < kSteps) return false;
       const Eigen::VectorXd d = sign * direction;
       if (limits_.weak.cols() > 0 && (limits_.weak.transpose() * d).minCoeff() < -1e-9) continue;
-      result_.better = descent(session_, *scaling_, base, d);
+      const Probed probed = probe(session_, *scaling_, base, d);
+      result_.better = probed.better;
+      rises = rises && probed.rises;
     }
+    return rises;
   }
 
   void name_flat_direction(const Eigen::VectorXd& direction) {
@@ -300,8 +326,11 @@ class Certifier {
     if (!feasible()) return "a constraint is violated";
     if (has(Degeneracy::undefined_gradient)) return "a derivative does not exist";
     if (!(c.stationarity <= options_.tolerance))
-      return "not stationary: the objective can still improve to first order";
-    if (gain_ > allowed_gain()) return "not stationary: a step could still improve the objective";
+      return has(Degeneracy::dependent_constraints)
+                 ? "no multipliers balance the slope; where limits are dependent, an optimum may "
+                   "have none"
+                 : "not stationary: the objective can still improve to first order";
+    if (!stationary()) return "not stationary: a step could still improve the objective";
     if (c.complementarity > 1e-2 * options_.tolerance)
       return "a limit with a nonzero multiplier is not active";
     if (has(Degeneracy::negative_curvature)) return "stationary, but not a minimum";
@@ -321,6 +350,7 @@ class Certifier {
   double steepest_{0.0};  // over all
   double size_{0.0};      // denominator of the stationarity
   double gain_{kNotMeasured};
+  bool balanced_{true};
   std::optional<Eigen::MatrixXd> hessian_;
   Strength limits_;
 };

@@ -49,10 +49,10 @@ class Column {
          std::size_t objectives)
       : session_(session), scaling_(scaling), point_(point), m_(m), objectives_(objectives) {}
 
-  std::optional<Eigen::VectorXd> of(Index k) {
+  std::optional<Eigen::VectorXd> of(Index k, double stretch = 1.0) {
     const auto at = static_cast<std::size_t>(k);
     const double width = scaling_.upper()[at] - scaling_.lower()[at];
-    const double h = std::min(kStep * nearness(at), 0.25 * width);
+    const double h = std::min(stretch * kStep * nearness(at), 0.25 * width);
     if (point_.room[at] >= h) {
       const auto right = gradient(at, h), left = gradient(at, -h);
       if (!right || !left) return std::nullopt;
@@ -173,6 +173,16 @@ std::optional<Eigen::MatrixXd> lagrangian_curvature(Session& session, const Scal
   hessian = (0.5 * (hessian + hessian.transpose())).eval();
   if (!hessian.allFinite()) return std::nullopt;
   return hessian;
+}
+
+bool curvature_is_resolved(Session& session, const Scaling& scaling, const KktPoint& point,
+                           const Multipliers& multipliers, const Eigen::MatrixXd& hessian) {
+  constexpr double kStretch = 3.0, kMost = 0.5;
+  Index row = 0, k = 0;
+  const double largest = hessian.cwiseAbs().maxCoeff(&row, &k);
+  Column column(session, scaling, point, multipliers, 1);
+  const auto further = column.of(k, kStretch);
+  return further && std::abs((*further)[row] - hessian(row, k)) <= kMost * largest;
 }
 
 Strength strength(const KktPoint& point, const Multipliers& m, double force) {

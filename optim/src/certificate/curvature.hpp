@@ -13,6 +13,11 @@ std::optional<Eigen::MatrixXd> lagrangian_curvature(Session& session, const Scal
                                                     const Multipliers& multipliers,
                                                     std::size_t objectives);
 
+/// Whether differences over three times the steps agree with the largest entry: second derivatives that are all zero
+/// look like the next ones times the square of the step. Costs two evaluations. With one objective.
+bool curvature_is_resolved(Session& session, const Scaling& scaling, const KktPoint& point,
+                           const Multipliers& multipliers, const Eigen::MatrixXd& hessian);
+
 /// Directions (columns) along which all given limits stay met.
 /// @param active  gradients of the limits, a column each
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& active);

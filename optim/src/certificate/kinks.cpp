@@ -17,7 +17,12 @@ Kinks::Kinks(Session& session, const Scaling& scaling, const KktPoint& point)
 
 bool Kinks::undefined(const std::function<bool(std::size_t)>& matters) const {
   return std::ranges::any_of(point_.evaluation.kinks, [&](const KinkedEntry& k) {
-    return k.slope == Slope::undefined && matters(k.response) && position(k.variable);
+    const auto at = position(k.variable);
+    if (k.slope != Slope::undefined || !matters(k.response) || !at) return false;
+    const std::size_t n = session_.problem().variables.size();
+    const bool infinite = std::isinf(point_.evaluation.jacobian[k.response * n + k.variable]);
+    return !infinite ||
+           !std::isfinite(point_.jacobian(static_cast<Index>(k.response), static_cast<Index>(*at)));
   });
 }
 

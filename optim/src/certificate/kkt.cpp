@@ -177,4 +177,20 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
   return m;
 }
 
+double slope_beside_bounds(const Eigen::MatrixXd& gradients, const Multipliers& m) {
+  Eigen::VectorXd sizes = gradients.cwiseAbs().rowwise().maxCoeff();
+  for (std::size_t i = 0; i < m.bounds.size(); ++i)
+    if (m.bound_values[i] > 0.0) sizes[m.bounds[i]] = 0.0;
+  return sizes.maxCoeff();
+}
+
+bool each_slope_is_balanced(const Eigen::MatrixXd& gradients, const Multipliers& m, double part,
+                            double rounding) {
+  Eigen::VectorXd terms = gradients.cwiseAbs().rowwise().maxCoeff();
+  for (std::size_t i = 0; i < m.limits.size(); ++i)
+    terms = terms.cwiseMax(std::abs(m.limit_values[i]) *
+                           m.active.col(static_cast<Index>(i)).cwiseAbs());
+  return (m.residual.cwiseAbs().array() <= part * terms.array() + rounding).all();
+}
+
 }  // namespace twum::optim

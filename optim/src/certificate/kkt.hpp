@@ -66,6 +66,15 @@ Eigen::MatrixXd objective_gradients(const KktPoint& point, std::size_t objective
 Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
                                const Multipliers& multipliers);
 
+/// Size of gradients (columns) over the variables that no bound holds, because a steep slope into a bound says nothing
+/// about the others.
+double slope_beside_bounds(const Eigen::MatrixXd& gradients, const Multipliers& multipliers);
+
+/// Whether what is left of the slope of each variable is at most this part of its own terms, but for `rounding`: then a
+/// large slope of another variable hides nothing.
+bool each_slope_is_balanced(const Eigen::MatrixXd& gradients, const Multipliers& multipliers,
+                            double part, double rounding);
+
 /// `gradients` has one column for each gradient that may be mixed (objectives, or one-sided
 /// gradients at a kink). Limits and bounds count as active within `activity` (scaled).
 Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradients,

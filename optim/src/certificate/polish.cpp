@@ -57,32 +57,70 @@ Multipliers multipliers(const KktPoint& p, const Eigen::VectorXd& weights, doubl
 }
 
 // Newton steps with the limits within `near` as the guess at the active set, each of which has to halve the error.
-std::optional<std::vector<double>> steps(Session& session, const Scaling& scaling,
-                                         std::span<const double> design, Eigen::VectorXd w,
-                                         double near) {
-  auto point = kkt_point(session, scaling, design);
-  if (!point || !point->jacobian.allFinite()) return std::nullopt;
-  Multipliers m = multipliers(*point, w, near);
-  bool improved = false;
-  for (int i = 0; i < kSteps && merit(*point, m, 1.0) > 0.0; ++i) {
-    if (session.left() < 2 * scaling.size() + 1) break;
-    const auto hessian =
-        lagrangian_curvature(session, scaling, *point, m, static_cast<std::size_t>(w.size()));
-    if (!hessian) break;
-    const double size = std::max({weighted_gradient(*point, w).cwiseAbs().maxCoeff(),
-                                  hessian->cwiseAbs().maxCoeff(), kTiny});
-    if (merit(*point, m, size) <= kDone) break;
-    auto next = step(session, scaling, *point, m, *hessian, w);
-    if (!next || !next->jacobian.allFinite()) break;
-    Multipliers next_m = multipliers(*next, w, near);
-    if (!(merit(*next, next_m, size) < 0.5 * merit(*point, m, size))) break;
-    point = std::move(next);
-    m = std::move(next_m);
-    improved = true;
+class Steps {
+ public:
+  Steps(Session& session, const Scaling& scaling, Eigen::VectorXd weights, double near)
+      : session_(session), scaling_(scaling), w_(std::move(weights)), near_(near) {}
+
+  std::optional<std::vector<double>> from(std::span<const double> design) {
+    point_ = kkt_point(session_, scaling_, design);
+    if (!point_ || !point_->jacobian.allFinite()) return std::nullopt;
+    m_ = multipliers(*point_, w_, near_);
+    bool improved = false;
+    for (int i = 0; i < kSteps && merit(*point_, m_, 1.0) > 0.0; ++i) {
+      if (!has_curvature() || merit(*point_, m_, size()) <= kDone) break;
+      if (advance())
+        improved = true;
+      else if (curvature_is_of_here_)
+        break;
+      else
+        hessian_.reset();
+    }
+    if (!improved) return std::nullopt;
+    return point_->design;
   }
-  if (!improved) return std::nullopt;
-  return point->design;
-}
+
+ private:
+  // Beside an optimum the curvature hardly changes from step to step, and it costs two evaluations a variable.
+  bool has_curvature() {
+    if (hessian_) return session_.left() >= 1;
+    if (session_.left() < 2 * scaling_.size() + 1) return false;
+    hessian_ =
+        lagrangian_curvature(session_, scaling_, *point_, m_, static_cast<std::size_t>(w_.size()));
+    curvature_is_of_here_ = true;
+    return hessian_.has_value();
+  }
+
+  double size() const {
+    return std::max({weighted_gradient(*point_, w_).cwiseAbs().maxCoeff(),
+                     hessian_->cwiseAbs().maxCoeff(), kTiny});
+  }
+
+  bool advance() {
+    constexpr double kFast = 0.01;  // slower steps ask for the curvature where they are
+    Eigen::VectorXd w = w_;
+    auto next = step(session_, scaling_, *point_, m_, *hessian_, w);
+    if (!next || !next->jacobian.allFinite()) return false;
+    Multipliers next_m = multipliers(*next, w, near_);
+    const double before = merit(*point_, m_, size()), after = merit(*next, next_m, size());
+    if (!(after < 0.5 * before)) return false;
+    point_ = std::move(next);
+    m_ = std::move(next_m);
+    w_ = w;
+    curvature_is_of_here_ = false;
+    if (after > kFast * before) hessian_.reset();
+    return true;
+  }
+
+  Session& session_;
+  const Scaling& scaling_;
+  Eigen::VectorXd w_;
+  double near_;
+  std::optional<KktPoint> point_;
+  Multipliers m_;
+  std::optional<Eigen::MatrixXd> hessian_;
+  bool curvature_is_of_here_{false};
+};
 
 }  // namespace
 
@@ -97,7 +135,7 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& searc
   const Problem& problem = session.problem();
   const Scaling scaling = scaling_at(problem, search, search_sizes(problem, design), design, here);
   for (const double near : {kNearLimit, kOnLimit})
-    if (auto better = steps(session, scaling, design, w, near)) return better;
+    if (auto better = Steps(session, scaling, w, near).from(design)) return better;
   return std::nullopt;
 }
 

@@ -18,24 +18,35 @@ class Probe {
   Probe(Session& session, const Scaling& scaling, const ProbeBase& base)
       : session_(session), scaling_(scaling), base_(base) {}
 
-  std::optional<std::vector<double>> along(const Eigen::VectorXd& direction) {
+  Probed along(const Eigen::VectorXd& direction) {
+    constexpr double kLongest = 1e-1;
     double longest = 0.0;
     for (Index k = 0; k < direction.size(); ++k)
       longest = std::max(longest, std::abs(direction[k]) / base_.point.reach[at(k)]);
-    if (!(longest > 0.0)) return std::nullopt;
-    for (const double step : {1e-2, 1e-1, 1e-3}) {
-      if (session_.left() < 1) return std::nullopt;
-      auto there = moved(session_, scaling_, base_.point, step / longest * direction);
-      for (int i = 0; there && there->jacobian.allFinite(); ++i) {
-        if (better(*there)) return there->design;
-        if ((i > 0 && keeps_limits(*there)) || i == kCorrections || session_.left() < 1) break;
-        there = moved(session_, scaling_, *there, correction(*there, direction));
-      }
+    Probed found;
+    if (!(longest > 0.0)) return found;
+    for (const double step : {1e-2, kLongest, 1e-3}) {
+      const auto there = across(step / longest * direction, direction);
+      if (!there) continue;
+      if (better(*there)) return {there->design, false};
+      if (step == kLongest) found.rises = worse(*there);
+    }
+    return found;
+  }
+
+ private:
+  // A step, then Newton's across the direction until the limits are kept or the design is better.
+  std::optional<KktPoint> across(const Eigen::VectorXd& step, const Eigen::VectorXd& direction) {
+    if (session_.left() < 1) return std::nullopt;
+    auto there = moved(session_, scaling_, base_.point, step);
+    for (int i = 0; there && there->jacobian.allFinite(); ++i) {
+      const bool done = better(*there) || (i > 0 && keeps_limits(*there));
+      if (done || i == kCorrections || session_.left() < 1) return there;
+      there = moved(session_, scaling_, *there, correction(*there, direction));
     }
     return std::nullopt;
   }
 
- private:
   static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
   Eigen::VectorXd correction(const KktPoint& there, const Eigen::VectorXd& direction) const {
@@ -63,6 +74,10 @@ class Probe {
     return keeps_limits(p) && objective(p) < objective(base_.point) - base_.enough;
   }
 
+  bool worse(const KktPoint& p) const {
+    return keeps_limits(p) && objective(p) > objective(base_.point) + base_.enough;
+  }
+
   Session& session_;
   const Scaling& scaling_;
   const ProbeBase& base_;
@@ -70,9 +85,8 @@ class Probe {
 
 }  // namespace
 
-std::optional<std::vector<double>> descent(Session& session, const Scaling& scaling,
-                                           const ProbeBase& base,
-                                           const Eigen::VectorXd& direction) {
+Probed probe(Session& session, const Scaling& scaling, const ProbeBase& base,
+             const Eigen::VectorXd& direction) {
   return Probe(session, scaling, base).along(direction);
 }
 

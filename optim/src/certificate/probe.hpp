@@ -13,10 +13,17 @@ struct ProbeBase {
   double enough;  ///< by how much a scaled objective has to fall to be better
 };
 
+/// What values along a direction say.
+struct Probed {
+  std::optional<std::vector<double>> better;  ///< a better design, if there is one
+  bool rises{
+      false};  ///< the objective is higher after the longest step, by more than ProbeBase::enough
+};
+
 /// Looks for a better design along a direction: a few steps, each followed by Newton steps across the direction until
 /// the limits are kept again. A better design breaks no limit by more than a hundredth of its tolerance, or than the
 /// point does. @throws Stop
-std::optional<std::vector<double>> descent(Session& session, const Scaling& scaling,
-                                           const ProbeBase& base, const Eigen::VectorXd& direction);
+Probed probe(Session& session, const Scaling& scaling, const ProbeBase& base,
+             const Eigen::VectorXd& direction);
 
 }  // namespace twum::optim

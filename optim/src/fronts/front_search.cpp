@@ -22,6 +22,16 @@ double FrontSearch::sign(std::size_t k) const {
   return runner_.problem().objectives[k].sense == Sense::maximize ? -1.0 : 1.0;
 }
 
+// A certificate with Newton steps takes some four evaluations a variable. Once the ends are known, they are kept for the
+// points, up to a quarter of the budget.
+std::size_t FrontSearch::left() const {
+  if (span_.empty()) return runner_.left();
+  const std::size_t of_one = 4 * runner_.scaling().size() + 8;
+  const std::size_t reserve =
+      std::min(of_one * options_.points, runner_.options().budget.evaluations / 4);
+  return runner_.left() - std::min(runner_.left(), reserve);
+}
+
 std::optional<Solved> FrontSearch::solved(SolverRun& run) {
   if (!run.best || run.best->violation > runner_.options().feasibility_tolerance)
     return std::nullopt;
@@ -79,7 +89,7 @@ std::optional<Solved> FrontSearch::best_of(const Formulation& formulation,
     if (exhausted()) break;
     std::vector<double> z = start;
     z.insert(z.end(), extra_start.begin(), extra_start.end());
-    SolverRun run = runner_.run(slsqp, formulation, z);
+    SolverRun run = runner_.run(slsqp, formulation, z, left());
     auto s = solved(run);
     if (!s || !(run.best->f < least)) continue;
     least = run.best->f;
@@ -145,7 +155,8 @@ Solved FrontSearch::improved_by_hops(std::size_t objective, Solved from) {
       f.unit_lower[first] = 0.0;
       f.unit_upper[first] = 1.0;
     }
-    SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, single ? kCalls : kCalls + n);
+    SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z,
+                                std::min(left(), single ? kCalls : kCalls + n));
     auto s = solved(run);
     const double least = from.scaled[objective];
     ++failed;
@@ -295,7 +306,7 @@ std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>
   }
   if (held == 0 || exhausted()) return std::nullopt;
   z.push_back(0.0);
-  SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, kCalls);
+  SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, std::min(left(), kCalls));
   auto s = solved(run);
   if (s) runner_.allow(run, run.session->left() + 4 * certificate_cost(a.unit.size()));
   const bool good = s && settle(run, *s);

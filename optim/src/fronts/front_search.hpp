@@ -52,9 +52,11 @@ class FrontSearch {
   std::vector<double> from_pool(const std::vector<double>& y) const;
 
   const std::vector<Solved>& ends() const { return ends_; }
-  bool exhausted() const { return runner_.exhausted(); }
+  /// Whether nothing is left to search with, but for the certificates of the points.
+  bool exhausted() const { return runner_.exhausted() || left() == 0; }
 
  private:
+  std::size_t left() const;
   std::optional<Solved> best_of(const Formulation& formulation,
                                 const std::vector<std::vector<double>>& starts,
                                 std::vector<double> extra_start, bool all);

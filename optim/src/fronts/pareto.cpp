@@ -175,12 +175,13 @@ void explain(StageRunner& runner, const std::optional<Candidate>& least, Front& 
   front.stages_used = causes.stages_used;
 }
 
-void conclude(StageRunner& runner, Front& front) {
+void conclude(FrontSearch& search, Front& front) {
+  StageRunner& runner = search.runner();
   const bool all = std::all_of(front.points.begin(), front.points.end(),
                                [](const FrontPoint& p) { return p.certificate.passed; });
   if (!front.points.empty()) {
     front.outcome = all ? Outcome::optimal : Outcome::feasible;
-    if (runner.exhausted()) front.outcome = Outcome::budget;
+    if (search.exhausted()) front.outcome = Outcome::budget;
   }
   if (front.outcome == Outcome::budget)
     front.stop = runner.stop_reason() == StopReason::finished ? StopReason::evaluations
@@ -203,7 +204,7 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   Front front;
   if (!runner.scale()) {
     front.outcome = runner.without_design();
-    conclude(runner, front);
+    conclude(search, front);
     return front;
   }
   auto starts = usual_starts(runner, solve.starts);
@@ -218,7 +219,7 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   } else {
     explain(runner, least, front);
   }
-  conclude(runner, front);
+  conclude(search, front);
   return front;
 }
 

@@ -104,10 +104,25 @@ const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
   const bool usable = fill(e, point_, gradient);
   if (gradient) note_terms(e);
   keep(point_, e);
+  beside_ = beside_known() ? beside_ + 1 : 0;
   if (!usable) return nullptr;
   known_ = true;
   has_gradient_ = gradient;
   return &value_;
+}
+
+void Nlp::expect(std::span<const double> optimum) {
+  around_.emplace(session_.problem(), search_sizes(session_.problem(), optimum));
+  optimum_ = around_->to_unit(optimum);
+}
+
+bool Nlp::beside_known() const {
+  constexpr double kBeside = 0.1;  // of the variables' magnitudes
+  if (!around_) return false;
+  const std::vector<double> here = around_->to_unit(design_);
+  for (std::size_t k = 0; k < here.size(); ++k)
+    if (std::abs(here[k] - optimum_[k]) > kBeside) return false;
+  return true;
 }
 
 double Nlp::excess(const NlpValue& value) const {

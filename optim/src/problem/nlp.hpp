@@ -94,6 +94,12 @@ class Nlp {
   /// Restricts the box of the scaled variables to a neighbourhood of a point; radius 0 restores it.
   void restrict_box(std::span<const double> centre, double radius);
 
+  /// An optimum that is known already: reached_known() tells when a search has come to it.
+  void expect(std::span<const double> optimum);
+
+  /// Whether the last two designs lie within a tenth of the variables' magnitudes of that optimum.
+  bool reached_known() const { return beside_ >= 2; }
+
   /// Best point so far: feasible ones before others, then by objective or violation.
   const std::optional<Candidate>& best() const { return best_; }
 
@@ -110,6 +116,7 @@ class Nlp {
   double violation() const;
   void note_terms(const Evaluation& e);
   void keep(std::span<const double> z, const Evaluation& e);
+  bool beside_known() const;
 
   Session& session_;
   const Scaling& scaling_;
@@ -123,6 +130,9 @@ class Nlp {
   bool known_{false};
   bool has_gradient_{false};
   std::optional<Candidate> best_;
+  std::optional<Scaling> around_;  // the known optimum, in units of its magnitudes
+  std::vector<double> optimum_;
+  int beside_{0};  // designs in a row that lie beside it
 };
 
 /// Whether a is the better candidate: feasible first, then the smaller objective or violation.

@@ -15,6 +15,8 @@ double range(const Variable& v) {
 
 Scaling::Scaling(const Problem& problem)
     : variables_(problem.variables), factors_(problem.responses(), 1.0) {
+  for (const Objective& o : problem.objectives)
+    senses_.push_back(o.sense == Sense::maximize ? -1.0 : 1.0);
   for (std::size_t j = 0; j < variables_.size(); ++j) {
     fixed_.push_back(variables_[j].lower);
     if (!(variables_[j].lower < variables_[j].upper)) continue;
@@ -58,8 +60,8 @@ void Scaling::scale_responses(std::span<const double> design, const Evaluation& 
     factors_[r] = 1.0;
     double size = 0.0;
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const double d = std::abs(derivative(evaluation, r, k, design));
-      if (std::isfinite(d)) size = std::max(size, d);
+      if (!std::isfinite(evaluation.jacobian[r * variables_.size() + free_[k]])) continue;
+      size = std::max(size, std::abs(derivative(evaluation, r, k, design)));
     }
     if (size <= 1e-12 * std::abs(evaluation.values[r])) size = std::abs(evaluation.values[r]);
     if (size == 0.0) size = 1.0;
@@ -108,7 +110,16 @@ double Scaling::slope(std::size_t k, std::span<const double> design) const {
 double Scaling::derivative(const Evaluation& e, std::size_t response, std::size_t k,
                            std::span<const double> design) const {
   const double d = e.jacobian[response * variables_.size() + free_[k]];
+  if (std::isinf(d) && holds(d, response, k, design)) return std::copysign(kSteep, d);
   return factors_[response] * d * slope(k, design);
+}
+
+bool Scaling::holds(double slope, std::size_t response, std::size_t k,
+                    std::span<const double> design) const {
+  if (response >= senses_.size()) return false;
+  const Variable& v = variables_[free_[k]];
+  const double x = design[free_[k]];
+  return senses_[response] * slope > 0.0 ? x <= v.lower : x >= v.upper;
 }
 
 namespace {

@@ -39,15 +39,22 @@ class Scaling {
   /// dx/du of the k-th free variable at a design.
   double slope(std::size_t k, std::span<const double> design) const;
 
-  /// Derivative of a scaled response by the k-th free scaled variable.
+  /// Derivative of a scaled response by the k-th free scaled variable. An infinite slope of an objective into the bound
+  /// that the variable is on, such as that of a root, holds the variable there whatever the others are: kSteep stands for it.
   double derivative(const Evaluation& e, std::size_t response, std::size_t k,
                     std::span<const double> design) const;
 
  private:
+  static constexpr double kSteep =
+      1e3;  // far above 1, and the other slopes keep their digits beside it
+
   void set_bounds();
+  bool holds(double slope, std::size_t response, std::size_t k,
+             std::span<const double> design) const;
   double scaled(std::size_t k, double x) const;
 
   std::vector<Variable> variables_;
+  std::vector<double> senses_;  // of the objectives: 1, or -1 if maximized
   std::vector<std::size_t> free_;
   std::vector<double> fixed_;  // a design that holds the values of the fixed variables
   std::vector<double> origin_;

@@ -55,6 +55,7 @@ void run_in(SolverRun& run, const Scaling& scaling, const Formulation& formulati
             const SolverPlan& plan) {
   require_available(plan.optimizer->info);
   Nlp nlp(*run.session, scaling, formulation);
+  if (!plan.known.empty()) nlp.expect(plan.known);
   try {
     nlp.at(plan.start, true);
     run.report.word = "nothing to vary";

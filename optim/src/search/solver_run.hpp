@@ -26,7 +26,8 @@ struct SolverPlan {
   const Optimizer* optimizer{nullptr};
   std::uint64_t stage{0};
   std::size_t quota{0};
-  std::vector<double> start;  ///< unit box, then extra unknowns
+  std::vector<double> start;        ///< unit box, then extra unknowns
+  std::span<const double> known{};  ///< design of an optimum beside which the run ends, or nothing
 };
 
 /// Runs a solver on a formulation. @throws what the evaluator throws, InputError

@@ -88,7 +88,8 @@ SolverRun StageRunner::run(const Optimizer& optimizer, const Formulation& formul
 }
 
 std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
-                                            const std::vector<std::vector<double>>& starts) {
+                                            const std::vector<std::vector<double>>& starts,
+                                            std::span<const double> known) {
   // Each start has its own stage and an equal share, so that results do not depend on the order.
   const std::size_t share = (left() - reserve()) / starts.size();
   std::vector<SolverRun> runs(starts.size());
@@ -97,7 +98,7 @@ std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {
       try {
-        const SolverPlan plan{&optimizer, next_stage_ + i, share, {}};
+        const SolverPlan plan{&optimizer, next_stage_ + i, share, {}, known};
         runs[i] =
             run_solver_from(problem_, options_, deadline_, plan, starts[i], {start_, &first_});
       } catch (...) {

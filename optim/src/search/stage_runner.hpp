@@ -26,8 +26,10 @@ class StageRunner {
                 std::span<const double> start, std::size_t most = static_cast<std::size_t>(-1));
 
   /// The same solver from several starts, in parallel if the options say so; in order of starts.
+  /// @param known  design of an optimum; a run that comes to it ends there. May be empty.
   std::vector<SolverRun> run_all(const Optimizer& optimizer,
-                                 const std::vector<std::vector<double>>& starts);
+                                 const std::vector<std::vector<double>>& starts,
+                                 std::span<const double> known);
 
   /// Whether objective and limits at an optimum, at the start and at these designs agree with a convex problem. Costs an
   /// evaluation with Jacobian for each of the designs.

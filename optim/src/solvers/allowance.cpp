@@ -18,6 +18,10 @@ bool Allowance::take(std::span<const double> z) {
     return false;
   }
   if (last_.size() == z.size() && std::equal(z.begin(), z.end(), last_.begin())) return true;
+  if (nlp_.reached_known()) {
+    word_ = kKnownOptimum;
+    return false;
+  }
   if (points_ == 0) {
     word_ = "MAXEVAL_REACHED";
     return false;

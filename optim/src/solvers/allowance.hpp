@@ -7,9 +7,12 @@
 
 namespace twum::optim {
 
+/// Word of a run that was ended because it came to an optimum that is known already.
+inline constexpr const char* kKnownOptimum = "KNOWN_OPTIMUM";
+
 /// Limits the requests of one solver run: the number of distinct points, and the number of requests in a row that
 /// need no evaluation. A solver in an endless loop returns to stored points, or asks for points that are not finite;
-/// a budget of evaluations does not end that.
+/// a budget of evaluations does not end that. A run that has come to the known optimum of its Nlp gets no more points.
 class Allowance {
  public:
   /// Keeps a reference. @param points  distinct points; a request counts if its point differs from that of the

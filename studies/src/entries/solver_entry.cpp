@@ -201,7 +201,9 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
   const auto evaluations = [](auto& options) -> auto& { return options.budget.evaluations; };
   Fields<O> fields{
       standard<O>("name", name, &O::solver),
-      standard<O>("starts", count("local searches from different starts", "8", 1, 1e6), &O::starts),
+      standard<O>("starts",
+                  count("local searches from different starts; for `auto` at most", "8", 1, 1e6),
+                  &O::starts),
       standard<O>("tolerance", fraction("relative accuracy of the optimum", "1e-8"), &O::tolerance),
       standard<O>("max_evaluations", count("largest number of evaluations", "2000", 1, 1e12),
                   evaluations),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace twum::test {
 namespace {
@@ -109,16 +110,24 @@ optim::Problem zdt4() {
   return p;
 }
 
+// The fourth root is infinitely steep where its argument is zero, which is the whole front.
 optim::Problem zdt6() {
   optim::Problem p = two_objectives(box(10, 0.0, 1.0));
-  p.evaluate = dual_evaluator<30>(2, [](const D30* x, D30* r) {
-    D30 sum(0.0);
-    for (int j = 1; j < 10; ++j) sum = sum + x[j];
-    const D30 g = 1.0 + 9.0 * power(sum * (1.0 / 9.0), 0.25);
-    const D30 s = sq(sin(6.0 * kPi * x[0]));
-    r[0] = 1.0 - exp(-4.0 * x[0]) * s * s * s;
-    r[1] = g * (1.0 - sq(r[0] / g));
-  });
+  p.evaluate = [](std::span<const double> x, bool) {
+    const double mean = std::accumulate(x.begin() + 1, x.end(), 0.0) / 9.0;
+    const double s = std::sin(6.0 * kPi * x[0]), decay = std::exp(-4.0 * x[0]);
+    const double f = 1.0 - decay * std::pow(s, 6.0), g = 1.0 + 9.0 * std::pow(mean, 0.25);
+    const double df =
+        decay * std::pow(s, 5.0) * (4.0 * s - 36.0 * kPi * std::cos(6.0 * kPi * x[0]));
+    const double dg = 0.25 * std::pow(mean, -0.75);  // by each of the nine
+    optim::Evaluation e;
+    e.values = {f, g * (1.0 - sq(f / g))};
+    e.jacobian.assign(20, 0.0);
+    e.jacobian[0] = df;
+    e.jacobian[10] = -2.0 * f / g * df;
+    std::fill_n(e.jacobian.begin() + 11, 9, dg * (1.0 + sq(f / g)));
+    return e;
+  };
   return p;
 }
 

@@ -62,8 +62,8 @@ struct Certificate {
   /// Every limit is kept, the design is stationary and complementary and, with one objective, no direction that the
   /// limits allow improves it to second order.
   bool passed{false};
-  /// The second order is decided too: the curvature is not negative on the critical cone. If passed without, the
-  /// design is optimal to first order only.
+  /// The second order is decided too: the curvature is positive on the critical cone, or values rise along the one
+  /// direction without. If passed without, the design is optimal to first order only.
   bool second_order{false};
   /// Largest violation of a limit, relative to the larger of the limit and its terms (O2.1). A limit with an own
   /// tolerance counts as if this were 1e-8 of that size. NaN: not measured.

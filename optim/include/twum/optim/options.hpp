@@ -33,7 +33,8 @@ using Observer = std::function<void(const Observation&)>;
 /// Options of a solve. The defaults suit most problems.
 struct SolveOptions {
   std::string solver{"auto"};  ///< a name of solvers(), or "auto"
-  /// number of local searches of auto: the first from the start design, the others from a low-discrepancy sequence
+  /// Most local searches of auto: the first from the start design, the others from a low-discrepancy sequence. With 1,
+  /// the first certified design ends the search. More than half of them are enough if all come to one optimum.
   std::size_t starts{8};
   /// number of designs that look_further() samples; solve() does not use it
   std::size_t scan{512};
