@@ -6,15 +6,15 @@
 # value changes by it. -Wno-psabi: no function passes vectors to one that is compiled for another processor.
 #
 # Warnings are errors, and only for those who change the code (presets dev and ci): they take GCC a tenth of its time.
-# -Wno-restrict because GCC 12 warns wrongly about "text" + std::string from -O2 on (GCC bug 105651). In a batch of
-# sources one source's names are not another's concern: -Wno-shadow.
+# -Wno-restrict because GCC 12 warns wrongly about "text" + std::string from -O2 on (GCC bug 105651), -Wno-use-after-free because it
+# does so about Eigen's matrices in inlined loops. In a batch of sources one source's names are not another's concern: -Wno-shadow.
 add_library(twum_compile INTERFACE)
 target_compile_features(twum_compile INTERFACE cxx_std_20)
 target_compile_options(twum_compile INTERFACE -ffp-contract=off -fno-math-errno -Wno-psabi)
 if(TWUM_WARNINGS)
   target_compile_options(twum_compile INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-use-after-free>
     $<$<BOOL:${TWUM_UNITY}>:-Wno-shadow>)
 endif()
 if(TWUM_SANITIZE)

@@ -123,7 +123,31 @@ py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument arg
   return py::float_(point_value(self, name, request));
 }
 
+// Where the drive holds a torque at a speed.
+py::object held_metric(const PyMotor& self, const MetricInfo& row, const py::object& torque,
+                       const py::object& speed) {
+  const std::string name(row.name);
+  const MetricRequest request{row.metric, Argument::both,
+                              to_quantity(name, speed, "rad/s", "100 rpm"),
+                              to_quantity(name, torque, "N.m", "0.5 N.m")};
+  return py::float_(value_or_throw(name, evaluate(self.motor, request)));
+}
+
+void add_held_metric(Class& motor, const MetricInfo& row) {
+  const std::string name(row.name);
+  motor.def(
+      name.c_str(),
+      [&row](const PyMotor& self, const py::object& torque, const py::object& speed) {
+        return held_metric(self, row, torque, speed);
+      },
+      py::arg("torque"), py::arg("speed"),
+      (name + "(self, torque, speed)\n--\n\n" + metric_doc(row) +
+       "\n\nA torque [N.m] and a speed [rad/s], as numbers or texts.")
+          .c_str());
+}
+
 void add_point_metric(Class& motor, const MetricInfo& row) {
+  if (row.argument == Argument::both) return add_held_metric(motor, row);
   const std::string name(row.name);
   const bool torque_only = row.argument == Argument::torque;
   const std::string doc_of_array =
@@ -144,14 +168,17 @@ void add_point_metric(Class& motor, const MetricInfo& row) {
   motor.def(
       name.c_str(),
       [&row](const PyMotor& self, const py::object& speed, const py::object& torque) {
-        if (speed.is_none() == torque.is_none())
-          throw InputError(std::string(row.name) + ": give a speed or a torque");
+        if (speed.is_none() && torque.is_none())
+          throw InputError(std::string(row.name) + ": give a speed, a torque, or both");
+        if (!speed.is_none() && !torque.is_none()) return held_metric(self, row, torque, speed);
         return speed.is_none() ? point_metric(self, row, Argument::torque, torque)
                                : point_metric(self, row, Argument::speed, speed);
       },
       py::arg("speed") = py::none(), py::kw_only(), py::arg("torque") = py::none(),
       (name + "(self, speed=None, *, torque=None)\n--\n\n" + metric_doc(row) +
-       "\n\nAt a speed [rad/s] or a torque [N.m]; of a text the unit tells which. " + doc_of_array)
+       "\n\nAt a speed [rad/s] or a torque [N.m]; of a text the unit tells which. At both the "
+       "drive follows. " +
+       doc_of_array)
           .c_str());
 }
 

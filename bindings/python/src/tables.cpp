@@ -19,6 +19,7 @@ const char* takes(Argument argument) {
   switch (argument) {
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
+    case Argument::both: return "torque and speed";
     case Argument::speed_or_torque: return "speed or torque";
     default: return "";
   }

@@ -138,6 +138,8 @@ const char* to_string(HeldStatus status) noexcept {
     case HeldStatus::ok: return "ok";
     case HeldStatus::torque_out_of_reach: return "torque-out-of-reach";
     case HeldStatus::voltage_too_low: return "voltage-too-low";
+    case HeldStatus::amplitude_too_low: return "amplitude-too-low";
+    case HeldStatus::outside_frequency_range: return "outside-frequency-range";
     case HeldStatus::unstable_amplitude: return "unstable-amplitude";
     case HeldStatus::no_periodic_state: return "no-periodic-state";
     case HeldStatus::not_converged: return "not-converged";
@@ -158,6 +160,30 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed, Dri
   if (control == DriveControl::frequency && !design.stator.voltage)
     throw InputError("a drive that follows by frequency needs a voltage");
   return Holding(design, track_of(design, torque, speed, control), torque, speed, control).held();
+}
+
+HeldPoint held_point(const MotorDesign& design, double torque, double speed) {
+  const Stator& stator = design.stator;
+  const DriveControl control = stator.voltage ? stator.control : DriveControl::amplitude;
+  HeldPoint held = held_point(design, torque, speed, control);
+  if (held.status != HeldStatus::ok) return held;
+  const auto refused = [&](HeldStatus status, double needed) {
+    held.status = status, held.needed = needed;
+  };
+  switch (control) {
+    case DriveControl::amplitude:
+      if (held.amplitude > stator.amplitude) refused(HeldStatus::amplitude_too_low, held.amplitude);
+      break;
+    case DriveControl::voltage:
+      if (held.voltage > *stator.voltage) refused(HeldStatus::voltage_too_low, held.voltage);
+      break;
+    case DriveControl::frequency:
+      if (const auto& range = stator.frequency_range;
+          range && !(held.frequency >= range->first && held.frequency <= range->second))
+        refused(HeldStatus::outside_frequency_range, held.frequency);
+      break;
+  }
+  return held;
 }
 
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {

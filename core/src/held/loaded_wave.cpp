@@ -10,7 +10,7 @@ namespace {
 // ln A from node to node below the first wave that carries the torque. Ripples of a layer that rings are longer.
 constexpr double kLongest = 0.04, kShortest = 2e-3;
 // The layer touches the rotor as fast as it turns at the smallest amplitude of interest; the largest is far beyond any motor's.
-constexpr double kBeyond = 1e4;
+constexpr double kFarthest = 1e4;
 constexpr int kMostSteps = 400, kMostTries = 80;
 constexpr double kSettled = 1e-13;  // of A
 
@@ -90,7 +90,7 @@ std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
   double step = monotone ? 4 * kLongest : kLongest;
   for (int i = 0; i < kMostSteps; ++i) {
     LoadedWave next = at(last.amplitude * std::exp(step), omega, last.ok() ? &last : nullptr);
-    if (next.amplitude > kBeyond * least + 1) return {};
+    if (next.amplitude > kFarthest * least + 1) return {};
     if (monotone) step *= 1.3;
     if (!next.ok() || !last.ok()) {
       last = std::move(next);

@@ -28,6 +28,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::stick_fraction_at: return n.stick_fraction;
     case M::speed_at: return speed;
     case M::amplitude_at: return m.amplitude;
+    case M::drive_frequency_at: return m.omega / (2 * std::numbers::pi);
     // of the stator's modes, see wave_metric()
     case M::phase_lag_at:
     case M::electrical_power_at:
@@ -38,6 +39,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::squeal_rate_at:
     case M::sensor_voltage_at:
     case M::sensor_phase_at:
+    case M::drive_voltage_at:
     case M::loaded_resonance:
     // numbers of the motor, see metric_row()
     case M::max_overall_efficiency:
@@ -89,7 +91,8 @@ constexpr bool is_wave_metric(Metric metric) {
   return metric == M::phase_lag_at || metric == M::electrical_power_at ||
          metric == M::overall_efficiency_at || metric == M::phase_current_at ||
          metric == M::power_factor_at || metric == M::loaded_resonance ||
-         metric == M::backward_ratio_at || metric == M::squeal_rate_at || needs_sensor(metric);
+         metric == M::drive_voltage_at || metric == M::backward_ratio_at ||
+         metric == M::squeal_rate_at || needs_sensor(metric);
 }
 
 /// True if the metric is made of the backward wave (D6.5, D6.7). Equal phases and modes drive none.
@@ -146,6 +149,7 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
     return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
   }
   const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
+  if (metric == M::drive_voltage_at) return t.voltage;
   if (metric == M::electrical_power_at) return t.power;
   if (metric == M::phase_current_at) return t.current;
   if (metric == M::power_factor_at) return t.power_factor;
@@ -232,7 +236,9 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::backward_ratio_at:
     case M::squeal_rate_at:
     case M::sensor_voltage_at:
-    case M::sensor_phase_at: break;
+    case M::sensor_phase_at:
+    case M::drive_frequency_at:
+    case M::drive_voltage_at: break;
   }
   return request.argument == Argument::torque
              ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))

@@ -108,6 +108,10 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "voltage of the sensor electrode, rms; needs a sensor", kModes},
     {M::sensor_phase_at, "sensor_phase_at", "rad", A::speed_or_torque,
      "lag of the sensor's voltage behind that of the first phase; needs a sensor", kModes},
+    {M::drive_frequency_at, "drive_frequency_at", "Hz", A::both,
+     "frequency with which the drive holds a torque at a speed"},
+    {M::drive_voltage_at, "drive_voltage_at", "V", A::both,
+     "voltage of a phase with which the drive holds a torque at a speed, rms", kModes},
 }};
 
 constexpr bool every_metric_in_its_place() {

@@ -2,6 +2,7 @@
 #include <twum/core/metrics.hpp>
 
 #include "metrics/differentiator.hpp"
+#include "metrics/held_metrics.hpp"
 
 #include <limits>
 
@@ -32,15 +33,24 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
 }
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
-  Evaluator evaluator(motor);
+  std::optional<Evaluator> evaluator;
+  HeldMetrics held(motor.design());
   std::vector<MetricValue> values;
   values.reserve(requests.size());
-  for (const MetricRequest& request : requests) values.push_back(evaluator.evaluate(request));
+  for (const MetricRequest& request : requests) {
+    if (request.argument == Argument::both) {
+      values.push_back(held.evaluate(request));
+      continue;
+    }
+    if (!evaluator) evaluator.emplace(motor);
+    values.push_back(evaluator->evaluate(request));
+  }
   return values;
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
-  return Evaluator(motor).evaluate(request);
+  return request.argument == Argument::both ? HeldMetrics(motor.design()).evaluate(request)
+                                            : Evaluator(motor).evaluate(request);
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
@@ -50,11 +60,18 @@ MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
-  Differentiator differentiator(motor, fixed_static_friction);
+  std::optional<Differentiator> differentiator;
+  HeldMetrics held(motor.design());
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
-  for (const MetricRequest& request : requests)
-    derivatives.push_back(differentiator.differentiate(request));
+  for (const MetricRequest& request : requests) {
+    if (request.argument == Argument::both) {
+      derivatives.push_back(held.differentiate(request, fixed_static_friction));
+      continue;
+    }
+    if (!differentiator) differentiator.emplace(motor, fixed_static_friction);
+    derivatives.push_back(differentiator->differentiate(request));
+  }
   return derivatives;
 }
 

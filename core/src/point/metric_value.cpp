@@ -20,6 +20,10 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::unstable_amplitude: return "unstable-amplitude";
     case MetricStatus::backward_wave_unknown: return "backward-wave-unknown";
     case MetricStatus::does_not_pull_out: return "does-not-pull-out";
+    case MetricStatus::torque_out_of_reach: return "torque-out-of-reach";
+    case MetricStatus::voltage_too_low: return "voltage-too-low";
+    case MetricStatus::amplitude_too_low: return "amplitude-too-low";
+    case MetricStatus::outside_frequency_range: return "outside-frequency-range";
   }
   return "unresolved";
 }

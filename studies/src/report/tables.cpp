@@ -64,6 +64,7 @@ const char* argument_word(Argument argument) {
     case Argument::none: return "none";
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
+    case Argument::both: return "both";
     case Argument::speed_or_torque: return "speed or torque";
   }
   return "none";

@@ -75,9 +75,10 @@ std::string argument_text(Argument argument) {
     case Argument::none: return "";
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
+    case Argument::both: return "torque and speed";
     case Argument::speed_or_torque: break;
   }
-  return "speed or torque";
+  return "speed or torque, or both";
 }
 
 Listing metrics() {

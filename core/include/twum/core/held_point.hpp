@@ -6,20 +6,15 @@
 
 namespace twum {
 
-/// What a drive changes so that the motor carries a torque at a speed.
-enum class DriveControl : unsigned char {
-  amplitude,  ///< the wave's amplitude, at the frequency of the design; needs no modal data
-  voltage,    ///< the voltage, at the frequency of the design
-  frequency   ///< the frequency, at the voltage of the design
-};
-
 /// Whether a drive can hold a torque at a speed.
 enum class HeldStatus : unsigned char {
   ok,
   torque_out_of_reach,  ///< no amplitude carries the torque: it is beyond the plateau of full slip
-  voltage_too_low,      ///< no frequency is enough
-  unstable_amplitude,   ///< a disturbed wave does not return
-  no_periodic_state,    ///< the layer's motion does not become periodic (typical: mu_0 > mu)
+  voltage_too_low,      ///< no frequency is enough, or more voltage is needed than there is
+  amplitude_too_low,    ///< more amplitude is needed than there is
+  outside_frequency_range,  ///< the drive does not reach the frequency
+  unstable_amplitude,       ///< a disturbed wave does not return
+  no_periodic_state,        ///< the layer's motion does not become periodic (typical: mu_0 > mu)
   not_converged
 };
 
@@ -32,7 +27,8 @@ struct HeldPoint {
   double amplitude{0};                ///< A of the wave [m]
   double frequency{0};                ///< of the drive [Hz]
   double voltage{0};                  ///< of a phase, rms [V]; NaN without modal data
-  /// What would do: the largest torque [N m] for `torque_out_of_reach`, the least voltage [V] for `voltage_too_low`. Else NaN.
+  /// What would do: the largest torque [N m] for `torque_out_of_reach`, the least voltage [V] for `voltage_too_low`, the amplitude [m]
+  /// for `amplitude_too_low`, the frequency [Hz] for `outside_frequency_range`. Else NaN.
   double needed{0};
   /// True if the rotor would leave the speed under this torque at a fixed drive: only a controller of the speed holds it.
   bool by_control_only{false};
@@ -47,6 +43,8 @@ struct HeldPoint {
 /// @throws InputError if speed is not more than 0, if torque is not finite, or if modal data or, for `frequency`, a voltage are
 ///         missing
 HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control);
+/// The same as the design's drive holds it: with its control, within its voltage or amplitude and its range of frequencies.
+HeldPoint held_point(const MotorDesign& design, double torque, double speed);
 
 /// The motor with the wave of a held point in place of its drive: its amplitude and frequency are given.
 /// @throws InputError if they lie outside the ranges of a motor

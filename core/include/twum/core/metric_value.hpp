@@ -52,7 +52,9 @@ enum class Metric : unsigned char {
   backward_ratio_at,
   squeal_rate_at,
   sensor_voltage_at,
-  sensor_phase_at
+  sensor_phase_at,
+  drive_frequency_at,
+  drive_voltage_at
 };
 
 /// Argument that a metric takes.
@@ -60,7 +62,8 @@ enum class Argument : unsigned char {
   none,            ///< nothing: a number of the motor, such as stall_torque
   speed,           ///< a rotor speed [rad/s]
   torque,          ///< a load torque [N m]
-  speed_or_torque  ///< either; only in the table, never in a request
+  both,            ///< a torque that the drive holds at a speed
+  speed_or_torque  ///< a speed, a torque, or both; only in the table, never in a request
 };
 
 /// Whether a metric has a value.
@@ -82,7 +85,11 @@ enum class MetricStatus : unsigned char {
   unstable_amplitude,  ///< needs a wave that is not stable
   /// the model of the backward wave does not cover stick in a layer with damping or inertia, or with mu_0 > mu
   backward_wave_unknown,
-  does_not_pull_out  ///< the running wave exists down to rest
+  does_not_pull_out,       ///< the running wave exists down to rest
+  torque_out_of_reach,     ///< no amplitude carries the held torque
+  voltage_too_low,         ///< the drive holds the torque at no voltage up to its own
+  amplitude_too_low,       ///< the held torque needs more than the motor's amplitude
+  outside_frequency_range  ///< the drive does not reach the frequency that holds the torque
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.

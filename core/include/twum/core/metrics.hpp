@@ -14,7 +14,7 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 48;
+inline constexpr std::size_t kMetricCount = 50;
 
 /// One row of the metric table.
 struct MetricInfo {
@@ -37,11 +37,15 @@ const MetricInfo& info(Metric metric);
 std::optional<Metric> find_metric(std::string_view name);
 
 /// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
-/// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed.
+/// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed. With Argument::both the
+/// drive follows (held_point()).
 struct MetricRequest {
   Metric metric{Metric::stall_torque};  ///< what is asked
   Argument argument{Argument::none};    ///< what `at` is
   double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
+  double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
+
+  bool operator==(const MetricRequest&) const = default;
 };
 
 /// A metric with its derivatives with respect to every parameter, in SI units.

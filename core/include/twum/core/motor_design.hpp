@@ -48,6 +48,13 @@ enum class Branch : unsigned char {
   dead      ///< the small one of a stator that the rotor clamps, so that the motor does not start
 };
 
+/// What a drive changes so that the motor carries a torque at a speed.
+enum class DriveControl : unsigned char {
+  frequency,  ///< the frequency, at the voltage of the design
+  voltage,    ///< the voltage, at the frequency of the design
+  amplitude   ///< the wave's amplitude: of a motor without a voltage
+};
+
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
 ///
 /// The amplitude is given, or follows from the voltage and the load (theory of the driven stator). A voltage needs
@@ -73,6 +80,11 @@ struct Stator {
   std::optional<Imbalance> imbalance;         ///< without it phases and modes are equal
   std::optional<Sensor> sensor;               ///< without it there is no such electrode
   Branch branch{Branch::running};             ///< which wave is meant if a voltage is given
+  /// What follows where a torque is held at a speed; of a motor without a voltage the amplitude does. The voltage, or amplitude,
+  /// is the most that the drive gives.
+  DriveControl control{DriveControl::frequency};
+  /// Lowest and highest frequency of a drive that follows by it [Hz]; without it any
+  std::optional<std::pair<double, double>> frequency_range;
   /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the
   /// paper; kAutoSlices and below: on each panel.
   int radial_slices{1};

@@ -18,6 +18,8 @@ struct GivenMotor {
   std::vector<ParameterValue> values{};
   std::vector<std::pair<double, double>> shape_table{};  ///< radius and R
   std::optional<Branch> branch{};
+  std::optional<DriveControl> control{};
+  std::optional<std::vector<double>> frequency_range{};  ///< lowest and highest [Hz]
   std::optional<EquivalentCircuit> circuit{};
   std::optional<stator::InnerEdge> inner_edge{};  ///< of the geometry
   std::string material{};                         ///< of the block that is being read

@@ -164,6 +164,34 @@ Field<GivenMotor> branch_field() {
       &GivenMotor::branch, "running"));
 }
 
+Field<GivenMotor> control_field() {
+  return hidden(
+      optional<GivenMotor>("control",
+                           word<DriveControl>("what follows where a torque is held at a speed",
+                                              {"frequency", "voltage"}),
+                           &GivenMotor::control, "frequency"));
+}
+
+Field<GivenMotor> frequency_range_field() {
+  return hidden(
+      optional<GivenMotor>("frequency_range",
+                           list("lowest and highest frequency of a drive that follows by it",
+                                quantity("a frequency", "Hz", "40 kHz"), 2, 2),
+                           &GivenMotor::frequency_range, "any frequency"));
+}
+
+bool check_frequency_range(const GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* node = given.right("frequency_range");
+  if (node == nullptr || !motor.frequency_range) return true;
+  const std::vector<double>& range = *motor.frequency_range;
+  if (range[0] > 0 && range[0] < range[1]) return true;
+  diagnostics.add(node->mark, given.path("frequency_range"),
+                  range[0] > 0 ? "its first frequency is not below its second one"
+                               : "a frequency that is not more than 0",
+                  "write the lowest and the highest frequency, such as [39 kHz, 45 kHz]");
+  return false;
+}
+
 Field<GivenMotor> circuit_field() {
   return hidden(optional<GivenMotor>("equivalent_circuit", circuit_shape(), &GivenMotor::circuit,
                                      "the modal data"));
@@ -171,7 +199,8 @@ Field<GivenMotor> circuit_field() {
 
 bool check_stator(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   const bool alone = check_geometry_alone(given, diagnostics);
-  return check_circuit(motor.circuit, given, diagnostics) && alone;
+  const bool range = check_frequency_range(motor, given, diagnostics);
+  return check_circuit(motor.circuit, given, diagnostics) && alone && range;
 }
 
 // Fills in the values of the block's material, then runs the check of the block.
@@ -276,7 +305,11 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
   if (extent == Extent::part) return fields;  // without what is no parameter
   if (path == "stator.geometry.") fields.push_back(support_field());
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
-  if (path == "stator.") fields.push_back(branch_field());
+  if (path == "stator.") {
+    fields.push_back(branch_field());
+    fields.push_back(control_field());
+    fields.push_back(frequency_range_field());
+  }
   return fields;
 }
 
@@ -296,6 +329,9 @@ MotorFile motor_of(const GivenMotor& given) {
   // Set at the end, because exponent and root would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
+  blank.stator.control = given.control.value_or(DriveControl::frequency);
+  if (given.frequency_range)
+    blank.stator.frequency_range = {given.frequency_range->front(), given.frequency_range->back()};
   blank.stator.geometry = blank_geometry(given);
   return {given.name, with(blank, all_values(given))};
 }
@@ -317,9 +353,13 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
 }
 
 GivenMotor given_by(const MotorFile& motor) {
-  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}, {}, {}, {}};
+  GivenMotor given{.name = motor.name, .shape_table = motor.design.stator.radial_shape.table};
   if (motor.design.stator.geometry) given.inner_edge = motor.design.stator.geometry->support;
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
+  if (motor.design.stator.control != DriveControl::frequency)
+    given.control = motor.design.stator.control;
+  if (const auto& range = motor.design.stator.frequency_range)
+    given.frequency_range = std::vector{range->first, range->second};
   for (const ParameterInfo& row : parameter_table())
     if (is_given(motor.design, row.parameter))
       given.values.emplace_back(row.parameter, get(motor.design, row.parameter));

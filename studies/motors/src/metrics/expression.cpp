@@ -20,11 +20,13 @@ constexpr Expected kTorque{"N.m", "0.5 N.m"};
 
 // "torque_at(100 rpm)": how a point metric is written.
 std::string usage(const MetricInfo& metric) {
+  if (metric.argument == Argument::both) return std::string(metric.name) + "(0.5 N.m, 100 rpm)";
   const char* example = metric.argument == Argument::torque ? "0.5 N.m" : "100 rpm";
   return std::string(metric.name) + "(" + example + ")";
 }
 
 const char* argument_phrase(Argument argument) {
+  if (argument == Argument::both) return "a torque and a speed";
   if (argument == Argument::speed) return "a speed";
   return argument == Argument::torque ? "a torque" : "a speed or a torque";
 }
@@ -58,6 +60,28 @@ MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument
   }
 }
 
+// "0.5 N.m, 100 rpm" in either order: the drive holds the torque at the speed.
+MetricRequest parse_held(const MetricInfo& metric, std::string_view first, std::string_view second,
+                         std::string_view text) {
+  if (metric.argument == Argument::torque || metric.argument == Argument::speed)
+    throw ValueError(
+        std::string(metric.name) + " takes " + argument_phrase(metric.argument) + " alone",
+        "write '" + usage(metric) + "'", static_cast<std::size_t>(second.data() - text.data()));
+  const auto at = [&](std::string_view piece) {
+    return static_cast<std::size_t>(piece.data() - text.data());
+  };
+  MetricInfo either = metric;
+  either.argument = Argument::speed_or_torque;
+  const MetricRequest a = parse_argument(either, first, at(first)),
+                      b = parse_argument(either, second, at(second));
+  if (a.argument == b.argument)
+    throw ValueError(std::string(metric.name) + " takes one torque and one speed, but both are " +
+                         (a.argument == Argument::speed ? "speeds" : "torques"),
+                     "write '" + std::string(metric.name) + "(0.5 N.m, 100 rpm)'", at(second));
+  const bool speed_first = a.argument == Argument::speed;
+  return {metric.metric, Argument::both, speed_first ? a.at : b.at, speed_first ? b.at : a.at};
+}
+
 // Reads "torque_at(100 rpm)"; the formula reader has checked the parentheses.
 MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std::size_t open) {
   if (open == std::string_view::npos) {
@@ -72,6 +96,13 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
                      "write it without parentheses", open);
   }
   const std::string_view argument = trimmed(text.substr(open + 1, text.size() - open - 2));
+  const std::size_t comma = argument.find(',');
+  if (comma != std::string_view::npos)
+    return parse_held(metric, trimmed(argument.substr(0, comma)),
+                      trimmed(argument.substr(comma + 1)), text);
+  if (metric.argument == Argument::both)
+    throw ValueError(quoted(text) + " needs " + argument_phrase(metric.argument),
+                     "expected one such as '" + usage(metric) + "'", text.size());
   return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
 }
 
@@ -103,9 +134,7 @@ bool find_term(std::string_view text) {
   return find_metric(name).has_value() || find_parameter(name).has_value();
 }
 
-bool same(const MetricRequest& a, const MetricRequest& b) {
-  return a.metric == b.metric && a.argument == b.argument && a.at == b.at;
-}
+bool same(const MetricRequest& a, const MetricRequest& b) { return a == b; }
 
 bool same(const Term& a, const Term& b) {
   if (a.index() != b.index()) return false;

@@ -39,7 +39,16 @@ std::span<const Reason> reasons() {
        "slips one way, and for layers with loss_factor 0, density 0 and equal friction "
        "coefficients"},
       {MetricStatus::does_not_pull_out,
-       "the running wave exists at every speed down to rest, so there is no pull-out torque"}};
+       "the running wave exists at every speed down to rest, so there is no pull-out torque"},
+      {MetricStatus::torque_out_of_reach,
+       "no amplitude of the wave carries this torque at this speed: it is more than friction can "
+       "transmit"},
+      {MetricStatus::voltage_too_low,
+       "the drive cannot hold this torque at this speed with its voltage; raise the voltage"},
+      {MetricStatus::amplitude_too_low,
+       "this torque at this speed needs a larger amplitude than the motor's"},
+      {MetricStatus::outside_frequency_range,
+       "the frequency that holds this torque at this speed lies outside stator.frequency_range"}};
   return kReasons;
 }
 
