@@ -21,11 +21,23 @@ double highest(const DrivenWaves& waves) {
   return std::fmin(std::fmax(highest_extremum(waves), largest_amplitude(waves)), kLargest);
 }
 
+// At rest H is proportional to the amplitude as long as the contact sticks all round (C20.3): to the largest such amplitude, but for
+// a share of it.
+double last_locked(const DrivenWaves& waves, double low, double high) {
+  if (!locks_at_rest(waves.motor(low))) return low;
+  while (high > (1 + kRules.flat) * low) {
+    const double middle = std::sqrt(low * high);
+    (locks_at_rest(waves.motor(middle)) ? low : high) = middle;
+  }
+  return low;
+}
+
 // The contact is full and H is proportional to the amplitude up to here, or what bends it is no extremum.
-double lowest(const DrivenWaves& waves) {
+double lowest(const DrivenWaves& waves, double speed) {
   const double high = highest(waves), full = waves.full_contact_amplitude();
-  const double low = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
-  return std::fmax(std::fmin(low, 1e-3 * high), kSmallest);
+  const double bent = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
+  const double low = std::fmax(std::fmin(bent, 1e-3 * high), kSmallest);
+  return speed == 0 && low < full ? last_locked(waves, low, std::fmin(full, high)) : low;
 }
 
 PlaneRange range_of(double low, double high) {
@@ -57,7 +69,7 @@ ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double 
 }
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed)
-    : ForceLine(waves, speed, lowest(waves), highest(waves)) {
+    : ForceLine(waves, speed, lowest(waves, speed), highest(waves)) {
   if (waves.drive() > 0) extend_below(waves.drive());
 }
 

@@ -32,8 +32,6 @@ struct ContinuationRules {
   double jump = 1e-3;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
   double steep = 0.2;
-  /// First step, which may be as long as the curve's next ones if it is straight.
-  double first_step = 0.1;
   /// Shortest step. What stops the curve on a shorter one is a jump of H.
   double shortest = 1e-8;
   /// The same in parts of a short step: islands may be a ten thousandth of ln A wide.
