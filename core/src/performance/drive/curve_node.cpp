@@ -122,7 +122,7 @@ double place_of(const CurveNode& a, const CurveNode& b, double y) {
                          length * (u * (1 - 3 * t) * a.along.y + t * (3 * t - 2) * b.along.y);
     double next = t - off / slope;
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    if (std::fabs(next - t) < kRules.fold) return next;
+    if (std::fabs(next - t) < kRules.extremum) return next;  // its square is left
     t = next;
   }
   return t;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace twum::performance {
@@ -132,9 +133,11 @@ void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool>
   }
   for (std::size_t first = 0, i = 1; i < nodes.size(); ++i) {
     if (!nodes[i].fold && i + 1 < nodes.size()) continue;
-    std::vector<CurveNode> piece(nodes.begin() + static_cast<std::ptrdiff_t>(first),
-                                 nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    first = i;
+    const CurveNode end = nodes[i];  // the next piece begins there
+    const auto begin = std::make_move_iterator(nodes.begin());
+    std::vector<CurveNode> piece(begin + static_cast<std::ptrdiff_t>(first),
+                                 begin + static_cast<std::ptrdiff_t>(i) + 1);
+    first = i, nodes[i] = end;
     const bool rises = std::any_of(piece.begin(), piece.end(),
                                    [](const CurveNode& n) { return !n.fold && n.rise > 0; });
     if (!rises && piece.size() > 2) continue;
@@ -191,7 +194,7 @@ bool RunningBranch::runs(const std::vector<CurveNode>& nodes) const {
 void RunningBranch::list_nodes() {
   for (const BranchPiece& piece : pieces_)
     for (const CurveNode& n : piece.nodes)
-      if (piece.running && piece_at(n.parameter, true) == &piece) nodes_.push_back(&n);
+      if (piece.running && about(n.parameter, true).piece == &piece) nodes_.push_back(&n);
   std::sort(nodes_.begin(), nodes_.end(),
             [](const CurveNode* a, const CurveNode* b) { return a->parameter < b->parameter; });
 }
@@ -212,13 +215,13 @@ const CurveNode* RunningBranch::pull_out() const {
   return end;
 }
 
-const BranchPiece* RunningBranch::piece_at(double speed, bool running) const {
-  const BranchPiece* largest = nullptr;
-  double most = 0;
+// Of the largest wave there.
+RunningBranch::Neighbours RunningBranch::about(double speed, bool running) const {
+  Neighbours largest;
   for (const BranchPiece& piece : pieces_) {
     if (!piece.is(running) || !piece.covers(speed)) continue;
-    const double x = piece.around(speed).first->at.x;
-    if (!largest || x > most) largest = &piece, most = x;
+    const auto [a, b] = piece.around(speed);
+    if (!largest.piece || a->at.x > largest.a->at.x) largest = {&piece, a, b};
   }
   return largest;
 }
@@ -250,27 +253,30 @@ MotorPoint RunningBranch::without_wave(PointStatus status) const {
 }
 
 MotorPoint RunningBranch::at(double speed, bool running) const {
-  const auto of_kind = [&](const BranchPiece& p) { return p.is(running); };
-  if (std::none_of(pieces_.begin(), pieces_.end(), of_kind))
-    return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
-  const BranchPiece* piece = piece_at(speed, running);
-  std::optional<MotorPoint> point;
-  if (piece) {
-    point = between(*piece, speed);
-  } else {
-    const auto fastest = std::max_element(
-        pieces_.begin(), pieces_.end(), [&](const BranchPiece& a, const BranchPiece& b) {
-          return of_kind(a) != of_kind(b) ? of_kind(b) : a.highest() < b.highest();
-        });
-    if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
-    if (speed < 0)
-      for (const BranchPiece& p : pieces_)
-        if (of_kind(p) && p.lowest() == 0) point = beyond(p.nodes.front(), speed);
-    if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
-  }
+  const Neighbours nodes = about(speed, running);
+  std::optional<MotorPoint> point = nodes.piece ? between(nodes, speed) : outside(speed, running);
   if (!point) return without_wave(running ? PointStatus::pulled_out : PointStatus::no_dead_branch);
-  if (!steady(piece, *point, speed)) return without_wave(PointStatus::unstable_amplitude);
+  // The trace changes little between two nodes.
+  if (nodes.grows() && point->solved.status == PointStatus::ok && !steady(*point, speed))
+    return without_wave(PointStatus::unstable_amplitude);
   return std::move(*point);
+}
+
+// Where no piece has a wave.
+std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) const {
+  const BranchPiece *fastest = nullptr, *from_rest = nullptr;
+  for (const BranchPiece& p : pieces_) {
+    if (!p.is(running)) continue;
+    if (!fastest || p.highest() > fastest->highest()) fastest = &p;
+    if (!from_rest && p.lowest() == 0) from_rest = &p;
+  }
+  if (!fastest)
+    return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
+  std::optional<MotorPoint> point;
+  if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
+  if (speed < 0 && from_rest) point = beyond(from_rest->nodes.front(), speed);
+  if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
+  return point;
 }
 
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
@@ -316,12 +322,12 @@ std::array<const CurveNode*, 2> BranchPiece::beside(const CurveNode& a, const Cu
 
 // Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between
 // nodes. As splits move with the speed, a track that is split has those of the guess. What does not lead there is found by itself.
-std::optional<MotorPoint> RunningBranch::between(const BranchPiece& piece, double speed) const {
-  const auto [a, b] = piece.around(speed);
+std::optional<MotorPoint> RunningBranch::between(const Neighbours& nodes, double speed) const {
+  const auto [piece, a, b] = nodes;
   const double t = place_of(*a, *b, speed / unit_);
   const CurveNode& nearer = t < 0.5 ? *a : *b;
   if (nearer.parameter == speed && nearer.fold) return solved(nearer, speed, nearer.solved);
-  CurveGuess guess = guess_between(*a, *b, t, piece.beside(*a, *b));
+  CurveGuess guess = guess_between(*a, *b, t, piece->beside(*a, *b));
   if (!waves_.splits())
     if (auto point = turned(speed, guess, nearer.solved)) return point;
   const SolvedPoint near =
@@ -372,13 +378,7 @@ std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) cons
   return without_wave(PointStatus::no_periodic_state);
 }
 
-// The trace changes little between two nodes, so it is computed only if a disturbance grows at one of them.
-bool RunningBranch::steady(const BranchPiece* piece, const MotorPoint& point, double speed) const {
-  if (point.solved.status != PointStatus::ok) return true;
-  if (piece) {
-    const auto [a, b] = piece->around(speed);
-    if (!a->grows && !b->grows) return true;
-  }
+bool RunningBranch::steady(const MotorPoint& point, double speed) const {
   const WarmStart start = point.solved.start();
   return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
 }
