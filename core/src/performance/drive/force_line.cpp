@@ -49,6 +49,14 @@ double unexplained(const CurveNode& a, const CurveNode& b) {
   return std::fabs(b.at.y - a.at.y - 0.5 * (a.rise + b.rise) * (b.at.x - a.at.x));
 }
 
+// H does not jump between two neighbours. Where zones begin or end between them its slope may change at once, and so much that this
+// hides a jump.
+bool joined(const CurveNode& a, const CurveNode& b) {
+  const double hidden = std::fabs(b.rise - a.rise) * (b.at.x - a.at.x);
+  return unexplained(a, b) <= kRules.jump &&
+         (hidden <= kRules.hidden_jump || a.solved.signature() == b.solved.signature());
+}
+
 bool jumps(const CurveNode& a, const CurveNode& b) { return a.jump && b.jump; }
 
 }  // namespace
@@ -61,11 +69,11 @@ double largest_amplitude(const DrivenWaves& w) {
   return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
 }
 
-ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high)
+ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high, Jumps jumps)
     : waves_(waves),
       speed_(speed),
       curve_(ForcePlane::of_voltage(waves, speed), range_of(low, high), kRules.voltage) {
-  follow(std::log(low), std::log(high));
+  follow(std::log(low), std::log(high), jumps);
 }
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed)
@@ -75,7 +83,7 @@ ForceLine::ForceLine(const DrivenWaves& waves, double speed)
 
 // With mu_0 = mu H is continuous. Otherwise it is sampled, as some amplitudes have no periodic state, and only laps from rest tell
 // which of several is the layer's.
-void ForceLine::follow(double low, double high) {
+void ForceLine::follow(double low, double high, Jumps jumps) {
   const bool sampled = waves_.has_static_excess();
   for (double x = low; x < high; x += sampled ? kRules.jumping_step : kRules.voltage.longest) {
     const auto first = curve_.at_amplitude(x);
@@ -90,10 +98,7 @@ void ForceLine::follow(double low, double high) {
       for (int i = 0; i < kRules.hidden_folds && look_closer(); ++i) continue;
       return;
     }
-    if (!nodes_.empty() && unexplained(nodes_.back(), *first) > kRules.jump)
-      split_jump(nodes_.back(), *first);
-    else
-      nodes_.empty() ? nodes_.push_back(*first) : curve_.add(nodes_, *first);
+    nodes_.empty() ? nodes_.push_back(*first) : append(*first, jumps);
   }
 }
 
@@ -122,20 +127,69 @@ bool ForceLine::look_closer() {
   return true;
 }
 
-// Halves towards the jump between two nodes; both sides become nodes.
-void ForceLine::split_jump(CurveNode a, CurveNode b) {
-  const CurveNode end = b;
-  while (b.at.x - a.at.x > kRules.kink) {
-    const auto middle = curve_.at_amplitude(0.5 * (a.at.x + b.at.x));
-    if (!middle) break;
-    const bool in_first = unexplained(a, *middle) > unexplained(*middle, b);
-    (in_first ? b : a) = *middle;
+// A sample, after what lies between it and the last one: halves until the slopes explain how H changes, or only a jump is left.
+void ForceLine::append(CurveNode next, Jumps jumps) {
+  const CurveNode& last = nodes_.back();
+  if (joined(last, next) && turns_to(next)) return;
+  const bool met = jumps == Jumps::all || may_hold_between(last, next);
+  if (!met || next.at.x - last.at.x <= kRules.kink) return push_jump(std::move(next));
+  const double x = 0.5 * (last.at.x + next.at.x);
+  if (auto middle = curve_.at_amplitude(x)) {
+    append(std::move(*middle), jumps);
+    append(std::move(next), jumps);
+  } else {
+    pass_gap(std::move(next), x, jumps);
   }
-  if (a.at.x > nodes_.back().at.x) curve_.add(nodes_, a);
-  nodes_.back().jump = true;
-  b.jump = true, b.place = nodes_.back().place;
-  nodes_.push_back(b);
-  if (b.at.x < end.at.x) curve_.add(nodes_, end);
+}
+
+// Adds a sample and the extremum between it and the last one. False if what looks like one is a jump.
+bool ForceLine::turns_to(const CurveNode& next) {
+  const std::size_t last = nodes_.size() - 1;
+  const CurveNode before = nodes_.back();
+  curve_.add(nodes_, next);
+  for (std::size_t i = last; i < nodes_.size(); ++i) {
+    const CurveNode& n = nodes_[i];
+    if (!n.fold || (i == last && before.fold)) continue;
+    if (n.beyond_kink == 0 && std::fabs(n.rise) <= kRules.doubtful) continue;
+    const auto other =
+        n.beyond_kink > 0 ? curve_.at_amplitude(std::log(n.beyond_kink)) : std::nullopt;
+    if (other && std::fabs(other->at.y - n.at.y) <= kRules.extremum) continue;
+    nodes_.resize(last + 1, before);
+    nodes_.back() = before;
+    return false;
+  }
+  return true;
+}
+
+// H may reach beyond two samples by what they do not explain, and by what it changes over a step.
+bool ForceLine::may_hold_between(const CurveNode& a, const CurveNode& b) const {
+  const double y = std::log(waves_.drive());
+  const double reach =
+      unexplained(a, b) + std::fmax(std::fabs(a.rise), std::fabs(b.rise)) * (b.at.x - a.at.x);
+  return y > std::fmin(a.at.y, b.at.y) - reach && y < std::fmax(a.at.y, b.at.y) + reach;
+}
+
+void ForceLine::push_jump(CurveNode next) {
+  nodes_.back().jump = next.jump = true, next.place = nodes_.back().place;
+  nodes_.push_back(std::move(next));
+}
+
+// Halves towards both ends of a range of amplitudes without a periodic state, of which one is known.
+void ForceLine::pass_gap(CurveNode next, double inside, Jumps jumps) {
+  for (double end = inside; end - nodes_.back().at.x > kRules.kink;) {
+    const double x = 0.5 * (nodes_.back().at.x + end);
+    auto n = curve_.at_amplitude(x);
+    n ? append(std::move(*n), jumps) : void(end = x);
+  }
+  std::vector<CurveNode> beyond{std::move(next)};
+  for (double end = inside; beyond.back().at.x - end > kRules.kink;) {
+    const double x = 0.5 * (beyond.back().at.x + end);
+    auto n = curve_.at_amplitude(x);
+    n ? beyond.push_back(std::move(*n)) : void(end = x);
+  }
+  push_jump(std::move(beyond.back()));
+  for (beyond.pop_back(); !beyond.empty(); beyond.pop_back())
+    append(std::move(beyond.back()), jumps);
 }
 
 // H(0) = 0.

@@ -28,8 +28,11 @@ struct ContinuationRules {
   CurveSteps frequency{0.4, 0.1, 0.01, 1e-7};
   /// The same where H may jump (mu_0 > mu), or have no value: it is sampled.
   double jumping_step = 0.05;
-  /// What the slopes of two samples leave of ln H where it does not jump: the third power of `jumping_step`, times what H bends.
-  double jump = 1e-3;
+  /// What the slopes of two samples may leave of ln H: the third power of `jumping_step`, times what H bends. More of it is a jump, or
+  /// bends so much that it is sampled more closely.
+  double jump = 1e-4;
+  /// What a change of the slope may hide of ln H where zones change.
+  double hidden_jump = 5e-4;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
   double steep = 0.2;
   /// Shortest step. What stops the curve on a shorter one is a jump of H.

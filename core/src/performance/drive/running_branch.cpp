@@ -63,41 +63,43 @@ WaveCurve RunningBranch::curve(double lowest, double highest, double longest) co
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
 // holds a wave there.
 void RunningBranch::search(const ForceLine& at_rest) {
-  std::vector<double> speeds, least;
-  const auto look = [&](const ForceLine& line, double speed) {
-    const auto hold = lowest_hold(line.extrema());
-    speeds.push_back(speed), least.push_back(hold ? hold->force : HUGE_VAL);
-  };
-  look(at_rest, 0);
-  const auto hold = lowest_hold(at_rest_);
+  std::vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest.extrema())};
   const double full = waves_.full_contact_amplitude(),
-               lowest = kRules.smallest_running * (hold ? std::fmin(full, hold->amplitude) : full);
+               lowest = kRules.smallest_running *
+                        (holds[0] ? std::fmin(full, holds[0]->amplitude) : full);
+  const double step = fastest_ / kRules.speeds;
   for (int i = 1; i <= kRules.speeds; ++i) {
-    const double speed = fastest_ * i / kRules.speeds;
-    const ForceLine line(waves_, speed, lowest, largest_amplitude(waves_));
-    take(line, speed);
-    look(line, speed);
+    const ForceLine line(waves_, i * step, lowest, largest_amplitude(waves_),
+                         ForceLine::Jumps::at_drive);
+    take(line, i * step);
+    holds.push_back(lowest_hold(line.extrema()));
   }
-  for (std::size_t i = 1; i + 1 < speeds.size(); ++i)
-    if (least[i] > waves_.drive() && least[i] <= least[i - 1] && least[i] <= least[i + 1])
-      search_island(speeds[i - 1], speeds[i + 1], speeds[i]);
+  const auto force = [&](std::size_t i) { return holds[i] ? holds[i]->force : HUGE_VAL; };
+  for (std::size_t i = 1; i + 1 < holds.size(); ++i) {
+    // Between straight lines as between parabolas the least force lies below the middle one by no more than that.
+    const double here = force(i), higher = std::fmax(force(i - 1), force(i + 1)),
+                 least = here - 0.5 * (higher - here);
+    const bool lowest_one = here <= force(i - 1) && here <= force(i + 1);
+    if (holds[i] && lowest_one && here > waves_.drive() && least < waves_.drive())
+      search_island(static_cast<double>(i) * step, step, *holds[i]);
+  }
 }
 
 // Where the minimum of H over the amplitude is least over the speed.
-void RunningBranch::search_island(double low, double high, double near) {
-  std::optional<ForceExtremum> hold = lowest_hold(ForceLine(waves_, near).extrema());
+void RunningBranch::search_island(double near, double step, ForceExtremum hold) {
   bool met = false;
   const auto force = [&](double speed) {
-    if (met || !hold) return HUGE_VAL;
-    const ForceLine line(waves_, speed, hold->amplitude / kRules.island,
-                         hold->amplitude * kRules.island);
+    if (met) return HUGE_VAL;
+    const ForceLine line(waves_, speed, hold.amplitude / kRules.island,
+                         hold.amplitude * kRules.island);
     const auto here = lowest_hold(line.extrema());
     if (!here) return HUGE_VAL;
-    hold = here;
+    hold = *here;
     if (here->force < waves_.drive()) take(line, speed), met = true;
     return here->force;
   };
-  least_between("the least force of an island", force, low, high, kRules.island_bits);
+  least_between("the least force of an island", force, near - step, near + step,
+                kRules.island_bits);
 }
 
 // The smallest wave is the dead one, unless it lags by more than a quarter of a turn.

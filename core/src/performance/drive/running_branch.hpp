@@ -57,7 +57,7 @@ class RunningBranch {
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
   void search(const ForceLine& at_rest);
-  void search_island(double low, double high, double near);
+  void search_island(double near, double step, ForceExtremum hold);
   void take(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);
   void leap(const CurveNode& from, bool upward, bool running);

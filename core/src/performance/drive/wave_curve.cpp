@@ -219,7 +219,7 @@ void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) co
 // A fold at or beyond one of the two nodes, whose slopes are off by what Newton's last step has moved them, takes its place.
 void WaveCurve::put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const {
   const double t = (fold.at.x - curve.back().at.x) / (next.at.x - curve.back().at.x);
-  if (t <= 0 && curve.size() > 1) curve.pop_back();
+  if (t <= 0 && curve.size() > 1) fold.jump = curve.back().jump, curve.pop_back();
   if (goes_back(curve.back(), fold)) turn_back(fold);
   fold.place = curve.back().place + distance(curve.back().at, fold.at);
   next.place = fold.place + distance(fold.at, next.at);
@@ -259,6 +259,7 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
   double y = cubic(a, b, std::clamp((x - a.at.x) / (b.at.x - a.at.x), 0.0, 1.0)).y;
   WarmStart start = a.start;
   std::optional<CurveNode> n;
+  double width = std::fabs(high - low);
   for (int i = 0; i < kRules.most_tries; ++i) {
     // A wave off the curve by a small share of the step leads on as well.
     auto here = on_curve({x, y}, start, std::fmax(kRules.fold, kRules.settled_share * last * last));
@@ -276,8 +277,11 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     }
     zero.add(x, n->rise);
     double next = zero.zero();
-    const bool inside = (next - low) * (next - high) < 0;
+    // Where H jumps, interpolation leads to it from one side only.
+    const bool stuck = i % 4 == 3 && std::fabs(high - low) > 0.5 * width;
+    const bool inside = !stuck && (next - low) * (next - high) < 0;
     if (!inside) next = 0.5 * (low + high);
+    if (i % 4 == 3) width = std::fabs(high - low);
     const double step = next - x;
     // The error of a secant is the product of the last two steps, but for a factor; at a kink it stays a share of the last one.
     const bool smooth = std::fabs(step) <= kRules.secants * std::fabs(last * last_before);
@@ -295,7 +299,7 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     y = n->at.y + (inside ? 0.5 : 1) * step * n->along.y / n->along.x;
     last_before = last, last = step, x = next;
   }
-  return n;
+  return {};
 }
 
 // Widens the interval of a fold where the slope of a node is so small that it may have the wrong sign.
@@ -345,8 +349,9 @@ std::optional<CurveNode> WaveCurve::between(const CurveNode& a, const CurveNode&
   const auto is_fold_at = [&](double x) {
     return (a.fold && a.at.x == x) || (b.fold && b.at.x == x);
   };
-  return root({cubic(a, b, t).x, y}, start_between(a, b, t), (t < 0.5 ? a : b).solved, a.rise + b.rise > 0,
-              low - (is_fold_at(low) ? 0 : slack), high + (is_fold_at(high) ? 0 : slack));
+  return root({cubic(a, b, t).x, y}, start_between(a, b, t), (t < 0.5 ? a : b).solved,
+              a.rise + b.rise > 0, low - (is_fold_at(low) ? 0 : slack),
+              high + (is_fold_at(high) ? 0 : slack));
 }
 
 std::optional<CurveNode> WaveCurve::polished(const CurveNode& n) const {
