@@ -25,7 +25,7 @@ double highest(const DrivenWaves& waves) {
 // a share of it.
 double last_locked(const DrivenWaves& waves, double low, double high) {
   if (!locks_at_rest(waves.motor(low))) return low;
-  while (high > (1 + kRules.flat) * low) {
+  while (high > kRules.last_locked * low) {
     const double middle = std::sqrt(low * high);
     (locks_at_rest(waves.motor(middle)) ? low : high) = middle;
   }
@@ -102,17 +102,21 @@ void ForceLine::follow(double low, double high, Jumps jumps) {
   }
 }
 
-// Adds a wave on both sides of each at which H is flattest but keeps rising or falling: there may be two extrema. False if there
-// was none.
+// Adds a wave between two neighbours where H keeps rising or falling, but lines through the slopes on both sides lead to one that is much
+// smaller: there may be two extrema. False if there was none.
 bool ForceLine::look_closer() {
   std::vector<double> places;
-  for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-    const double a = nodes_[i - 1].rise, b = nodes_[i].rise, c = nodes_[i + 1].rise;
-    if (nodes_[i].fold || std::fabs(b) > kRules.flat || a * b < 0 || b * c < 0) continue;
-    if (std::fabs(b) > std::fabs(a) || std::fabs(b) > std::fabs(c)) continue;
-    if (nodes_[i - 1].fold || nodes_[i + 1].fold) continue;
-    for (const std::size_t k : {i, i + 1})
-      places.push_back(0.5 * (nodes_[k - 1].at.x + nodes_[k].at.x));
+  for (std::size_t i = 1; i + 2 < nodes_.size(); ++i) {
+    const CurveNode *n = &nodes_[i - 1], &a = n[1], &b = n[2];
+    if (a.fold || b.fold || a.rise * b.rise < 0) continue;
+    const double apart = b.at.x - a.at.x, sign = a.rise > 0 ? 1 : -1,
+                 before = sign * (a.rise - n[0].rise) / (a.at.x - n[0].at.x),
+                 after = sign * (n[3].rise - b.rise) / (n[3].at.x - b.at.x);
+    if (!(before < 0 && after > 0)) continue;
+    const double met =
+        std::clamp((after * apart - sign * (b.rise - a.rise)) / (after - before), 0.0, apart);
+    const double least = std::fmin(std::fabs(a.rise), std::fabs(b.rise));
+    if (sign * a.rise + before * met < kRules.flat * least) places.push_back(a.at.x + 0.5 * apart);
   }
   if (places.empty()) return false;
   std::vector<CurveNode> all;

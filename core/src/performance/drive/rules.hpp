@@ -46,9 +46,8 @@ struct ContinuationRules {
   /// What a step of Newton's method with the slopes of four nodes leaves of the guess's error in usual motors. The proof of the
   /// point and the balance of its drive tell where it is more.
   double left_by_turn = 1e-5;
-  /// A H_A / H below which two folds may lie between waves that both rise: as the force falls along a curve that has none, it is
-  /// usually larger.
-  double flat = 0.5;
+  /// Share of the smaller slope of two waves below which lines through the slopes beside them must lead for two folds to be between.
+  double flat = 0.7;
   /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
   double nearly_flat = 0.3;
   /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.
@@ -117,6 +116,8 @@ struct ContinuationRules {
   int jump_bits = 40;
   /// Longest distance over which the branch is sought beyond a jump.
   double longest_leap = 0.1;
+  /// Factor of the amplitude to which the last wave of a contact that sticks all round is found.
+  double last_locked = 1.5;
   /// Of the speed: width of a piece of the branch below which a motor does not notice it as it pulls out.
   double narrowest = 1e-3;
   /// Pieces into which jumps may cut a branch.

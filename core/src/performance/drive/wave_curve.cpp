@@ -161,7 +161,8 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
     std::optional<CurveNode> next = stepped(curve, length, off, lands);
     const CurveNode& last = curve.back();
     if (next && goes_back(last, *next)) turn_back(*next);
-    const bool bends = !exact && next && dot(next->along, last.along) < kRules.turn;
+    const bool bends =
+        exact ? off > steps_.settled : next && dot(next->along, last.along) < kRules.turn;
     if (!next || (bends && length > kRules.corner)) {
       length *= 0.5;
       if (length >= kRules.shortest) continue;
