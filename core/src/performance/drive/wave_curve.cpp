@@ -147,7 +147,7 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
   const bool exact = plane_.continued() == Continued::voltage;
   if (changes_sign(exact ? from.along.x : from.along.y, upward ? 1 : -1)) turn_back(curve.front());
   curve.front().place = 0;
-  double length = longest(from);
+  double length = std::fmin(longest(from), kRules.first_step);
   const auto closes = [&curve](const CurveNode& n) {
     const CurveNode& begin = curve.front();
     const double last = n.place - curve.end()[-2].place;
