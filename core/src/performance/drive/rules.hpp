@@ -36,7 +36,7 @@ struct ContinuationRules {
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
   double steep = 0.2;
   /// Longest first step, where the next ones may be as long as they like.
-  double first_step = 0.6;
+  double first_step = 0.1;
   /// Shortest step. What stops the curve on a shorter one is a jump of H.
   double shortest = 1e-8;
   /// The same in parts of a short step: islands may be a ten thousandth of ln A wide.
