@@ -122,7 +122,7 @@ double place_of(const CurveNode& a, const CurveNode& b, double y) {
                          length * (u * (1 - 3 * t) * a.along.y + t * (3 * t - 2) * b.along.y);
     double next = t - off / slope;
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    if (std::fabs(next - t) < kRules.fold) return next;
+    if (std::fabs(next - t) < kRules.extremum) return next;  // its square is left
     t = next;
   }
   return t;
@@ -141,27 +141,29 @@ bool hides_folds(const CurveNode& a, const CurveNode& b) {
   return least < kRules.nearly_flat * std::fmin(std::fabs(p), std::fabs(q));
 }
 
-CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,
-                         const std::array<const CurveNode*, 2>& beside) {
-  const double length = b.place - a.place, u = 1 - t;
-  const Hermite h(length, t);
-  const Shares shares(a, b, beside, a.place + t * length);
-  const PlanePoint at = cubic(a, b, t);
-  CurveGuess guess{
-      at,
-      std::exp(at.x),
-      shares.force_slope(),
-      t < 0.5 ? WarmStart::beyond(b.start, a.start, -t) : WarmStart::beyond(a.start, b.start, -u),
-      {},
-      shares.count() == 4 ? kRules.left_by_turn : 1};
-  if (!same_slices(a, b)) return guess;
-  guess.states.reserve(a.states.size());
-  for (std::size_t k = 0; k < a.states.size(); ++k) {
-    guess.states.push_back(shares.of_slice(k));
-    guess.start.of_slice(k).layer =
+WarmStart start_between(const CurveNode& a, const CurveNode& b, double t) {
+  WarmStart start = t < 0.5 ? WarmStart::beyond(b.start, a.start, -t)
+                            : WarmStart::beyond(a.start, b.start, t - 1);
+  if (!same_slices(a, b)) return start;
+  const Hermite h(b.place - a.place, t);
+  for (std::size_t k = 0; k < a.states.size(); ++k)
+    start.of_slice(k).layer =
         combined(1, combined(h.at_a, a.start.of_slice(k).layer, h.at_b, b.start.of_slice(k).layer),
                  1, combined(h.slope_a, along(a, k), h.slope_b, along(b, k)));
-  }
+  return start;
+}
+
+CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,
+                         const std::array<const CurveNode*, 2>& beside) {
+  const Shares shares(a, b, beside, a.place + t * (b.place - a.place));
+  CurveGuess guess{std::exp(cubic(a, b, t).x),
+                   shares.force_slope(),
+                   start_between(a, b, t),
+                   {},
+                   shares.count() == 4 ? kRules.left_by_turn : 1};
+  if (!same_slices(a, b)) return guess;
+  guess.states.reserve(a.states.size());
+  for (std::size_t k = 0; k < a.states.size(); ++k) guess.states.push_back(shares.of_slice(k));
   return guess;
 }
 

@@ -39,7 +39,6 @@ bool same_slices(const CurveNode& a, const CurveNode& b);
 
 /// Where the search for a wave between two nodes begins.
 struct CurveGuess {
-  PlanePoint at;
   double amplitude, force_slope;
   WarmStart start;
   MovingStates states;  ///< empty where the nodes do not agree on the slices
@@ -55,11 +54,13 @@ double place_of(const CurveNode& a, const CurveNode& b, double y);
 /// The cubic has a fold or two between nodes that both rise or both fall.
 bool hides_folds(const CurveNode& a, const CurveNode& b);
 
-/// Hermite's cubics for amplitude and state, whose slopes are known, and for all else the polynomial through the two nodes and
-/// those beside them.
+/// The layer's state there, by Hermite's cubic again, as its slopes are known.
+WarmStart start_between(const CurveNode& a, const CurveNode& b, double t);
+
+/// Both cubics, and for all else the polynomial through the two nodes and those beside them.
 /// @param beside  the next nodes on both sides, if they have the same zones and slices; else null
 CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,
-                         const std::array<const CurveNode*, 2>& beside = {});
+                         const std::array<const CurveNode*, 2>& beside);
 
 /// The start under an amplitude that is larger by `step`, and a parameter that is larger by `turn`.
 WarmStart moved(const WarmStart& start, const MovingStates& states, double step, double turn = 0);

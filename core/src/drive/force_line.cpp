@@ -21,11 +21,23 @@ double highest(const DrivenWaves& waves) {
   return std::fmin(std::fmax(highest_extremum(waves), largest_amplitude(waves)), kLargest);
 }
 
+// At rest H is proportional to the amplitude as long as the contact sticks all round (C20.3): to the largest such amplitude, but for
+// a share of it.
+double last_locked(const DrivenWaves& waves, double low, double high) {
+  if (!locks_at_rest(waves.motor(low))) return low;
+  while (high > kRules.last_locked * low) {
+    const double middle = std::sqrt(low * high);
+    (locks_at_rest(waves.motor(middle)) ? low : high) = middle;
+  }
+  return low;
+}
+
 // The contact is full and H is proportional to the amplitude up to here, or what bends it is no extremum.
-double lowest(const DrivenWaves& waves) {
+double lowest(const DrivenWaves& waves, double speed) {
   const double high = highest(waves), full = waves.full_contact_amplitude();
-  const double low = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
-  return std::fmax(std::fmin(low, 1e-3 * high), kSmallest);
+  const double bent = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
+  const double low = std::fmax(std::fmin(bent, 1e-3 * high), kSmallest);
+  return speed == 0 && low < full ? last_locked(waves, low, std::fmin(full, high)) : low;
 }
 
 PlaneRange range_of(double low, double high) {
@@ -35,6 +47,14 @@ PlaneRange range_of(double low, double high) {
 // What the slopes of two neighbours do not explain of the change of ln H.
 double unexplained(const CurveNode& a, const CurveNode& b) {
   return std::fabs(b.at.y - a.at.y - 0.5 * (a.rise + b.rise) * (b.at.x - a.at.x));
+}
+
+// H does not jump between two neighbours. Where zones begin or end between them its slope may change at once, and so much that this
+// hides a jump.
+bool joined(const CurveNode& a, const CurveNode& b) {
+  const double hidden = std::fabs(b.rise - a.rise) * (b.at.x - a.at.x);
+  return unexplained(a, b) <= kRules.jump &&
+         (hidden <= kRules.hidden_jump || a.solved.signature() == b.solved.signature());
 }
 
 bool jumps(const CurveNode& a, const CurveNode& b) { return a.jump && b.jump; }
@@ -49,21 +69,21 @@ double largest_amplitude(const DrivenWaves& w) {
   return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
 }
 
-ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high)
+ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high, Jumps jumps)
     : waves_(waves),
       speed_(speed),
       curve_(ForcePlane::of_voltage(waves, speed), range_of(low, high), kRules.voltage) {
-  follow(std::log(low), std::log(high));
+  follow(std::log(low), std::log(high), jumps);
 }
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed)
-    : ForceLine(waves, speed, lowest(waves), highest(waves)) {
+    : ForceLine(waves, speed, lowest(waves, speed), highest(waves)) {
   if (waves.drive() > 0) extend_below(waves.drive());
 }
 
 // With mu_0 = mu H is continuous. Otherwise it is sampled, as some amplitudes have no periodic state, and only laps from rest tell
 // which of several is the layer's.
-void ForceLine::follow(double low, double high) {
+void ForceLine::follow(double low, double high, Jumps jumps) {
   const bool sampled = waves_.has_static_excess();
   for (double x = low; x < high; x += sampled ? kRules.jumping_step : kRules.voltage.longest) {
     const auto first = curve_.at_amplitude(x);
@@ -78,24 +98,25 @@ void ForceLine::follow(double low, double high) {
       for (int i = 0; i < kRules.hidden_folds && look_closer(); ++i) continue;
       return;
     }
-    if (!nodes_.empty() && unexplained(nodes_.back(), *first) > kRules.jump)
-      split_jump(nodes_.back(), *first);
-    else
-      nodes_.empty() ? nodes_.push_back(*first) : curve_.add(nodes_, *first);
+    nodes_.empty() ? nodes_.push_back(*first) : append(*first, jumps);
   }
 }
 
-// Adds a wave on both sides of each at which H is flattest but keeps rising or falling: there may be two extrema. False if there
-// was none.
+// Adds a wave between two neighbours where H keeps rising or falling, but lines through the slopes on both sides lead to one that is much
+// smaller: there may be two extrema. False if there was none.
 bool ForceLine::look_closer() {
   std::vector<double> places;
-  for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-    const double a = nodes_[i - 1].rise, b = nodes_[i].rise, c = nodes_[i + 1].rise;
-    if (nodes_[i].fold || std::fabs(b) > kRules.flat || a * b < 0 || b * c < 0) continue;
-    if (std::fabs(b) > std::fabs(a) || std::fabs(b) > std::fabs(c)) continue;
-    if (nodes_[i - 1].fold || nodes_[i + 1].fold) continue;
-    for (const std::size_t k : {i, i + 1})
-      places.push_back(0.5 * (nodes_[k - 1].at.x + nodes_[k].at.x));
+  for (std::size_t i = 1; i + 2 < nodes_.size(); ++i) {
+    const CurveNode *n = &nodes_[i - 1], &a = n[1], &b = n[2];
+    if (a.fold || b.fold || a.rise * b.rise < 0) continue;
+    const double apart = b.at.x - a.at.x, sign = a.rise > 0 ? 1 : -1,
+                 before = sign * (a.rise - n[0].rise) / (a.at.x - n[0].at.x),
+                 after = sign * (n[3].rise - b.rise) / (n[3].at.x - b.at.x);
+    if (!(before < 0 && after > 0)) continue;
+    const double met =
+        std::clamp((after * apart - sign * (b.rise - a.rise)) / (after - before), 0.0, apart);
+    const double least = std::fmin(std::fabs(a.rise), std::fabs(b.rise));
+    if (sign * a.rise + before * met < kRules.flat * least) places.push_back(a.at.x + 0.5 * apart);
   }
   if (places.empty()) return false;
   std::vector<CurveNode> all;
@@ -110,20 +131,69 @@ bool ForceLine::look_closer() {
   return true;
 }
 
-// Halves towards the jump between two nodes; both sides become nodes.
-void ForceLine::split_jump(CurveNode a, CurveNode b) {
-  const CurveNode end = b;
-  while (b.at.x - a.at.x > kRules.kink) {
-    const auto middle = curve_.at_amplitude(0.5 * (a.at.x + b.at.x));
-    if (!middle) break;
-    const bool in_first = unexplained(a, *middle) > unexplained(*middle, b);
-    (in_first ? b : a) = *middle;
+// A sample, after what lies between it and the last one: halves until the slopes explain how H changes, or only a jump is left.
+void ForceLine::append(CurveNode next, Jumps jumps) {
+  const CurveNode& last = nodes_.back();
+  if (joined(last, next) && turns_to(next)) return;
+  const bool met = jumps == Jumps::all || may_hold_between(last, next);
+  if (!met || next.at.x - last.at.x <= kRules.kink) return push_jump(std::move(next));
+  const double x = 0.5 * (last.at.x + next.at.x);
+  if (auto middle = curve_.at_amplitude(x)) {
+    append(std::move(*middle), jumps);
+    append(std::move(next), jumps);
+  } else {
+    pass_gap(std::move(next), x, jumps);
   }
-  if (a.at.x > nodes_.back().at.x) curve_.add(nodes_, a);
-  nodes_.back().jump = true;
-  b.jump = true, b.place = nodes_.back().place;
-  nodes_.push_back(b);
-  if (b.at.x < end.at.x) curve_.add(nodes_, end);
+}
+
+// Adds a sample and the extremum between it and the last one. False if what looks like one is a jump.
+bool ForceLine::turns_to(const CurveNode& next) {
+  const std::size_t last = nodes_.size() - 1;
+  const CurveNode before = nodes_.back();
+  curve_.add(nodes_, next);
+  for (std::size_t i = last; i < nodes_.size(); ++i) {
+    const CurveNode& n = nodes_[i];
+    if (!n.fold || (i == last && before.fold)) continue;
+    if (n.beyond_kink == 0 && std::fabs(n.rise) <= kRules.doubtful) continue;
+    const auto other =
+        n.beyond_kink > 0 ? curve_.at_amplitude(std::log(n.beyond_kink)) : std::nullopt;
+    if (other && std::fabs(other->at.y - n.at.y) <= kRules.extremum) continue;
+    nodes_.resize(last + 1, before);
+    nodes_.back() = before;
+    return false;
+  }
+  return true;
+}
+
+// H may reach beyond two samples by what they do not explain, and by what it changes over a step.
+bool ForceLine::may_hold_between(const CurveNode& a, const CurveNode& b) const {
+  const double y = std::log(waves_.drive());
+  const double reach =
+      unexplained(a, b) + std::fmax(std::fabs(a.rise), std::fabs(b.rise)) * (b.at.x - a.at.x);
+  return y > std::fmin(a.at.y, b.at.y) - reach && y < std::fmax(a.at.y, b.at.y) + reach;
+}
+
+void ForceLine::push_jump(CurveNode next) {
+  nodes_.back().jump = next.jump = true, next.place = nodes_.back().place;
+  nodes_.push_back(std::move(next));
+}
+
+// Halves towards both ends of a range of amplitudes without a periodic state, of which one is known.
+void ForceLine::pass_gap(CurveNode next, double inside, Jumps jumps) {
+  for (double end = inside; end - nodes_.back().at.x > kRules.kink;) {
+    const double x = 0.5 * (nodes_.back().at.x + end);
+    auto n = curve_.at_amplitude(x);
+    n ? append(std::move(*n), jumps) : void(end = x);
+  }
+  std::vector<CurveNode> beyond{std::move(next)};
+  for (double end = inside; beyond.back().at.x - end > kRules.kink;) {
+    const double x = 0.5 * (beyond.back().at.x + end);
+    auto n = curve_.at_amplitude(x);
+    n ? beyond.push_back(std::move(*n)) : void(end = x);
+  }
+  push_jump(std::move(beyond.back()));
+  for (beyond.pop_back(); !beyond.empty(); beyond.pop_back())
+    append(std::move(beyond.back()), jumps);
 }
 
 // H(0) = 0.

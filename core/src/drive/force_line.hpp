@@ -38,8 +38,11 @@ struct ForceExtremum {
 /// the jump are nodes.
 class ForceLine {
  public:
+  /// Which jumps of H (mu_0 > mu) are found as exactly as rounding allows; the others stay between two samples.
+  enum class Jumps : unsigned char { all, at_drive };
   /// Between two amplitudes.
-  ForceLine(const DrivenWaves& waves, double speed, double low, double high);
+  ForceLine(const DrivenWaves& waves, double speed, double low, double high,
+            Jumps jumps = Jumps::all);
   /// Over all amplitudes at which the motor may have an extremum or a wave.
   ForceLine(const DrivenWaves& waves, double speed);
 
@@ -57,9 +60,13 @@ class ForceLine {
 
  private:
   std::optional<CurveNode> held_after(std::size_t i) const;
-  void follow(double low, double high);
+  void follow(double low, double high, Jumps jumps);
+  void append(CurveNode next, Jumps jumps);
+  bool turns_to(const CurveNode& next);
+  bool may_hold_between(const CurveNode& a, const CurveNode& b) const;
+  void push_jump(CurveNode next);
+  void pass_gap(CurveNode next, double inside, Jumps jumps);
   bool look_closer();
-  void split_jump(CurveNode a, CurveNode b);
   void extend_below(double force);
 
   const DrivenWaves& waves_;

@@ -28,11 +28,14 @@ struct ContinuationRules {
   CurveSteps frequency{0.4, 0.1, 0.01, 1e-7};
   /// The same where H may jump (mu_0 > mu), or have no value: it is sampled.
   double jumping_step = 0.05;
-  /// What the slopes of two samples leave of ln H where it does not jump: the third power of `jumping_step`, times what H bends.
-  double jump = 1e-3;
+  /// What the slopes of two samples may leave of ln H: the third power of `jumping_step`, times what H bends. More of it is a jump, or
+  /// bends so much that it is sampled more closely.
+  double jump = 1e-4;
+  /// What a change of the slope may hide of ln H where zones change.
+  double hidden_jump = 5e-4;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
   double steep = 0.2;
-  /// First step, which may be as long as the curve's next ones if it is straight.
+  /// Longest first step, where the next ones may be as long as they like.
   double first_step = 0.1;
   /// Shortest step. What stops the curve on a shorter one is a jump of H.
   double shortest = 1e-8;
@@ -45,9 +48,8 @@ struct ContinuationRules {
   /// What a step of Newton's method with the slopes of four nodes leaves of the guess's error in usual motors. The proof of the
   /// point and the balance of its drive tell where it is more.
   double left_by_turn = 1e-5;
-  /// A H_A / H below which two folds may lie between waves that both rise: as the force falls along a curve that has none, it is
-  /// usually larger.
-  double flat = 0.5;
+  /// Share of the smaller slope of two waves below which lines through the slopes beside them must lead for two folds to be between.
+  double flat = 0.7;
   /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
   double nearly_flat = 0.3;
   /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.
@@ -116,6 +118,8 @@ struct ContinuationRules {
   int jump_bits = 40;
   /// Longest distance over which the branch is sought beyond a jump.
   double longest_leap = 0.1;
+  /// Factor of the amplitude to which the last wave of a contact that sticks all round is found.
+  double last_locked = 1.5;
   /// Of the speed: width of a piece of the branch below which a motor does not notice it as it pulls out.
   double narrowest = 1e-3;
   /// Pieces into which jumps may cut a branch.

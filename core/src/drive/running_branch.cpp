@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace twum::performance {
@@ -62,41 +63,43 @@ WaveCurve RunningBranch::curve(double lowest, double highest, double longest) co
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
 // holds a wave there.
 void RunningBranch::search(const ForceLine& at_rest) {
-  std::vector<double> speeds, least;
-  const auto look = [&](const ForceLine& line, double speed) {
-    const auto hold = lowest_hold(line.extrema());
-    speeds.push_back(speed), least.push_back(hold ? hold->force : HUGE_VAL);
-  };
-  look(at_rest, 0);
-  const auto hold = lowest_hold(at_rest_);
+  std::vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest.extrema())};
   const double full = waves_.full_contact_amplitude(),
-               lowest = kRules.smallest_running * (hold ? std::fmin(full, hold->amplitude) : full);
+               lowest = kRules.smallest_running *
+                        (holds[0] ? std::fmin(full, holds[0]->amplitude) : full);
+  const double step = fastest_ / kRules.speeds;
   for (int i = 1; i <= kRules.speeds; ++i) {
-    const double speed = fastest_ * i / kRules.speeds;
-    const ForceLine line(waves_, speed, lowest, largest_amplitude(waves_));
-    take(line, speed);
-    look(line, speed);
+    const ForceLine line(waves_, i * step, lowest, largest_amplitude(waves_),
+                         ForceLine::Jumps::at_drive);
+    take(line, i * step);
+    holds.push_back(lowest_hold(line.extrema()));
   }
-  for (std::size_t i = 1; i + 1 < speeds.size(); ++i)
-    if (least[i] > waves_.drive() && least[i] <= least[i - 1] && least[i] <= least[i + 1])
-      search_island(speeds[i - 1], speeds[i + 1], speeds[i]);
+  const auto force = [&](std::size_t i) { return holds[i] ? holds[i]->force : HUGE_VAL; };
+  for (std::size_t i = 1; i + 1 < holds.size(); ++i) {
+    // Between straight lines as between parabolas the least force lies below the middle one by no more than that.
+    const double here = force(i), higher = std::fmax(force(i - 1), force(i + 1)),
+                 least = here - 0.5 * (higher - here);
+    const bool lowest_one = here <= force(i - 1) && here <= force(i + 1);
+    if (holds[i] && lowest_one && here > waves_.drive() && least < waves_.drive())
+      search_island(static_cast<double>(i) * step, step, *holds[i]);
+  }
 }
 
 // Where the minimum of H over the amplitude is least over the speed.
-void RunningBranch::search_island(double low, double high, double near) {
-  std::optional<ForceExtremum> hold = lowest_hold(ForceLine(waves_, near).extrema());
+void RunningBranch::search_island(double near, double step, ForceExtremum hold) {
   bool met = false;
   const auto force = [&](double speed) {
-    if (met || !hold) return HUGE_VAL;
-    const ForceLine line(waves_, speed, hold->amplitude / kRules.island,
-                         hold->amplitude * kRules.island);
+    if (met) return HUGE_VAL;
+    const ForceLine line(waves_, speed, hold.amplitude / kRules.island,
+                         hold.amplitude * kRules.island);
     const auto here = lowest_hold(line.extrema());
     if (!here) return HUGE_VAL;
-    hold = here;
+    hold = *here;
     if (here->force < waves_.drive()) take(line, speed), met = true;
     return here->force;
   };
-  least_between("the least force of an island", force, low, high, kRules.island_bits);
+  least_between("the least force of an island", force, near - step, near + step,
+                kRules.island_bits);
 }
 
 // The smallest wave is the dead one, unless it lags by more than a quarter of a turn.
@@ -132,9 +135,11 @@ void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool>
   }
   for (std::size_t first = 0, i = 1; i < nodes.size(); ++i) {
     if (!nodes[i].fold && i + 1 < nodes.size()) continue;
-    std::vector<CurveNode> piece(nodes.begin() + static_cast<std::ptrdiff_t>(first),
-                                 nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    first = i;
+    const CurveNode end = nodes[i];  // the next piece begins there
+    const auto begin = std::make_move_iterator(nodes.begin());
+    std::vector<CurveNode> piece(begin + static_cast<std::ptrdiff_t>(first),
+                                 begin + static_cast<std::ptrdiff_t>(i) + 1);
+    first = i, nodes[i] = end;
     const bool rises = std::any_of(piece.begin(), piece.end(),
                                    [](const CurveNode& n) { return !n.fold && n.rise > 0; });
     if (!rises && piece.size() > 2) continue;
@@ -191,7 +196,7 @@ bool RunningBranch::runs(const std::vector<CurveNode>& nodes) const {
 void RunningBranch::list_nodes() {
   for (const BranchPiece& piece : pieces_)
     for (const CurveNode& n : piece.nodes)
-      if (piece.running && piece_at(n.parameter, true) == &piece) nodes_.push_back(&n);
+      if (piece.running && about(n.parameter, true).piece == &piece) nodes_.push_back(&n);
   std::sort(nodes_.begin(), nodes_.end(),
             [](const CurveNode* a, const CurveNode* b) { return a->parameter < b->parameter; });
 }
@@ -212,13 +217,13 @@ const CurveNode* RunningBranch::pull_out() const {
   return end;
 }
 
-const BranchPiece* RunningBranch::piece_at(double speed, bool running) const {
-  const BranchPiece* largest = nullptr;
-  double most = 0;
+// Of the largest wave there.
+RunningBranch::Neighbours RunningBranch::about(double speed, bool running) const {
+  Neighbours largest;
   for (const BranchPiece& piece : pieces_) {
     if (!piece.is(running) || !piece.covers(speed)) continue;
-    const double x = piece.around(speed).first->at.x;
-    if (!largest || x > most) largest = &piece, most = x;
+    const auto [a, b] = piece.around(speed);
+    if (!largest.piece || a->at.x > largest.a->at.x) largest = {&piece, a, b};
   }
   return largest;
 }
@@ -250,27 +255,30 @@ MotorPoint RunningBranch::without_wave(PointStatus status) const {
 }
 
 MotorPoint RunningBranch::at(double speed, bool running) const {
-  const auto of_kind = [&](const BranchPiece& p) { return p.is(running); };
-  if (std::none_of(pieces_.begin(), pieces_.end(), of_kind))
-    return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
-  const BranchPiece* piece = piece_at(speed, running);
-  std::optional<MotorPoint> point;
-  if (piece) {
-    point = between(*piece, speed);
-  } else {
-    const auto fastest = std::max_element(
-        pieces_.begin(), pieces_.end(), [&](const BranchPiece& a, const BranchPiece& b) {
-          return of_kind(a) != of_kind(b) ? of_kind(b) : a.highest() < b.highest();
-        });
-    if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
-    if (speed < 0)
-      for (const BranchPiece& p : pieces_)
-        if (of_kind(p) && p.lowest() == 0) point = beyond(p.nodes.front(), speed);
-    if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
-  }
+  const Neighbours nodes = about(speed, running);
+  std::optional<MotorPoint> point = nodes.piece ? between(nodes, speed) : outside(speed, running);
   if (!point) return without_wave(running ? PointStatus::pulled_out : PointStatus::no_dead_branch);
-  if (!steady(piece, *point, speed)) return without_wave(PointStatus::unstable_amplitude);
+  // The trace changes little between two nodes.
+  if (nodes.grows() && point->solved.status == PointStatus::ok && !steady(*point, speed))
+    return without_wave(PointStatus::unstable_amplitude);
   return std::move(*point);
+}
+
+// Where no piece has a wave.
+std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) const {
+  const BranchPiece *fastest = nullptr, *from_rest = nullptr;
+  for (const BranchPiece& p : pieces_) {
+    if (!p.is(running)) continue;
+    if (!fastest || p.highest() > fastest->highest()) fastest = &p;
+    if (!from_rest && p.lowest() == 0) from_rest = &p;
+  }
+  if (!fastest)
+    return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
+  std::optional<MotorPoint> point;
+  if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
+  if (speed < 0 && from_rest) point = beyond(from_rest->nodes.front(), speed);
+  if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
+  return point;
 }
 
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
@@ -316,12 +324,12 @@ std::array<const CurveNode*, 2> BranchPiece::beside(const CurveNode& a, const Cu
 
 // Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between
 // nodes. As splits move with the speed, a track that is split has those of the guess. What does not lead there is found by itself.
-std::optional<MotorPoint> RunningBranch::between(const BranchPiece& piece, double speed) const {
-  const auto [a, b] = piece.around(speed);
+std::optional<MotorPoint> RunningBranch::between(const Neighbours& nodes, double speed) const {
+  const auto [piece, a, b] = nodes;
   const double t = place_of(*a, *b, speed / unit_);
   const CurveNode& nearer = t < 0.5 ? *a : *b;
   if (nearer.parameter == speed && nearer.fold) return solved(nearer, speed, nearer.solved);
-  CurveGuess guess = guess_between(*a, *b, t, piece.beside(*a, *b));
+  CurveGuess guess = guess_between(*a, *b, t, piece->beside(*a, *b));
   if (!waves_.splits())
     if (auto point = turned(speed, guess, nearer.solved)) return point;
   const SolvedPoint near =
@@ -372,13 +380,7 @@ std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) cons
   return without_wave(PointStatus::no_periodic_state);
 }
 
-// The trace changes little between two nodes, so it is computed only if a disturbance grows at one of them.
-bool RunningBranch::steady(const BranchPiece* piece, const MotorPoint& point, double speed) const {
-  if (point.solved.status != PointStatus::ok) return true;
-  if (piece) {
-    const auto [a, b] = piece->around(speed);
-    if (!a->grows && !b->grows) return true;
-  }
+bool RunningBranch::steady(const MotorPoint& point, double speed) const {
   const WarmStart start = point.solved.start();
   return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
 }

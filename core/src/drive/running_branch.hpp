@@ -57,7 +57,7 @@ class RunningBranch {
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
   void search(const ForceLine& at_rest);
-  void search_island(double low, double high, double near);
+  void search_island(double near, double step, ForceExtremum hold);
   void take(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);
   void leap(const CurveNode& from, bool upward, bool running);
@@ -68,15 +68,22 @@ class RunningBranch {
   bool runs(const std::vector<CurveNode>& nodes) const;
   void list_nodes();
 
-  const BranchPiece* piece_at(double speed, bool running) const;
-  std::optional<MotorPoint> between(const BranchPiece& piece, double speed) const;
+  /// Two neighbouring nodes of a piece; null where there is none.
+  struct Neighbours {
+    const BranchPiece* piece{nullptr};
+    const CurveNode *a{nullptr}, *b{nullptr};
+    bool grows() const { return !piece || a->grows || b->grows; }
+  };
+  Neighbours about(double speed, bool running) const;
+  std::optional<MotorPoint> between(const Neighbours& nodes, double speed) const;
+  std::optional<MotorPoint> outside(double speed, bool running) const;
   std::optional<MotorPoint> turned(double speed, const CurveGuess& guess,
                                    const SolvedPoint& near) const;
   std::optional<MotorPoint> beyond(const CurveNode& last, double speed) const;
   std::optional<MotorPoint> in_gap(double speed, bool running) const;
   std::optional<MotorPoint> solved(const CurveNode& wave, double speed,
                                    const SolvedPoint& near) const;
-  bool steady(const BranchPiece* piece, const MotorPoint& point, double speed) const;
+  bool steady(const MotorPoint& point, double speed) const;
 
   const DrivenWaves& waves_;
   double unit_{0}, fastest_{0};  // speed of y = 1, and up to which the curves are followed

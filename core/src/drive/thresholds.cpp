@@ -89,8 +89,7 @@ Threshold Thresholds::frequency(bool start) {
   if (waves_.has_static_excess()) {
     const auto found = jumping_frequency(start);
     if (!found) throw SearchFailure{MetricStatus::undefined};
-    const auto e = chosen(ForceLine(waves_at(*found), 0).extrema(), start);
-    return {*found, e ? e->amplitude : 0, *found};
+    return *found;
   }
   std::optional<CurveNode> fold;
   if (const auto e = chosen(extrema(), start)) fold = continued(*e);
@@ -179,26 +178,39 @@ void Thresholds::take_folds(const std::vector<CurveNode>& nodes) {
   }
 }
 
-// The extremum of H falls with the frequency (D3.4).
-std::optional<double> Thresholds::jumping_frequency(bool start) {
-  const auto excess = [&](double f) {
-    const auto e = chosen(ForceLine(waves_at(f), 0).extrema(), start);
+// The extremum of H falls with the frequency (D3.4). Between two frequencies it lies between the amplitudes that it has there; whether
+// another one has passed it is seen at the end.
+std::optional<Threshold> Thresholds::jumping_frequency(bool start) {
+  const auto at = [&](double f, double lowest, double highest) {
+    const DrivenWaves waves = waves_at(f);
+    const ForceLine line =
+        highest > 0 ? ForceLine(waves, 0, lowest / kRules.island, highest * kRules.island)
+                    : ForceLine(waves, 0);
+    return chosen(line.extrema(), start);
+  };
+  const auto excess = [&](const std::optional<ForceExtremum>& e) {
     return e ? std::log(e->force / waves_.drive()) : -1.0;
   };
   const double free = waves_.modes().resonance / kTurn;
   double low = frequency_, high = frequency_;
-  if (!(low > free)) return {};
-  double at_low = excess(low), at_high = at_low;
-  while (at_low < 0 && low - free > kRules.nearest_frequency * free)
-    high = low, at_high = at_low, low = free + (low - free) / kRules.island, at_low = excess(low);
-  while (at_high > 0 && high < 2 * frequency_)
+  std::optional<ForceExtremum> at_low = chosen(extrema(), start), at_high = at_low;
+  while (excess(at_low) < 0 && low - free > kRules.nearest_frequency * free)
+    high = low, at_high = at_low, low = free + (low - free) / kRules.island, at_low = at(low, 0, 0);
+  while (excess(at_high) > 0 && high < 2 * frequency_)
     low = high, at_low = at_high, high = free + (high - free) * kRules.island,
-    at_high = excess(high);
-  if (!(at_low > 0 && at_high < 0)) return {};
-  const double root =
-      closed_in("a jump of the force", excess, {low, high, at_low, at_high}, kRules.jump_bits)
-          .nearest();
-  return std::fabs(excess(root)) < kRules.jump ? std::optional(root) : std::nullopt;
+    at_high = at(high, 0, 0);
+  if (!(excess(at_low) > 0 && excess(at_high) < 0)) return {};
+  const double lowest =
+                   at_high ? std::fmin(at_low->amplitude, at_high->amplitude) : at_low->amplitude,
+               highest =
+                   at_high ? std::fmax(at_low->amplitude, at_high->amplitude) : at_low->amplitude;
+  const auto between = [&](double f) { return excess(at(f, lowest, highest)); };
+  const double root = closed_in("a jump of the force", between,
+                                {low, high, excess(at_low), excess(at_high)}, kRules.jump_bits)
+                          .nearest();
+  const std::optional<ForceExtremum> e = at(root, 0, 0);
+  if (!e || !(std::fabs(excess(e)) < kRules.jump)) return {};
+  return Threshold{root, e->amplitude, root};
 }
 
 }  // namespace twum::performance

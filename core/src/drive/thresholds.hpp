@@ -44,7 +44,7 @@ class Thresholds {
   std::optional<CurveNode> continued(const ForceExtremum& from) const;
   void follow_frequency();
   void take_folds(const std::vector<CurveNode>& nodes);
-  std::optional<double> jumping_frequency(bool start);
+  std::optional<Threshold> jumping_frequency(bool start);
   const std::vector<ForceExtremum>& extrema();
 
   DrivenWaves waves_;  // at the design's own frequency

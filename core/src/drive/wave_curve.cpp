@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/wave_curve.hpp"
 
+#include "performance/curve/speed_roots.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -112,13 +114,12 @@ double WaveCurve::longest(const CurveNode& from) const {
 std::optional<CurveNode> WaveCurve::stepped(const std::vector<CurveNode>& curve, double length,
                                             double& off, bool& lands) const {
   const CurveNode& a = curve.back();
+  const CurveNode* before = curve.size() > 1 ? &a - 1 : nullptr;
+  const double t = before ? 1 + length / (a.place - before->place) : 0;
+  const bool bends = before && t <= 3;
   PlanePoint p{a.at.x + length * a.along.x, a.at.y + length * a.along.y};
-  WarmStart start = a.start;
-  if (curve.size() > 1 && a.place - curve.end()[-2].place >= 0.5 * length) {
-    const CurveNode& before = curve.end()[-2];
-    CurveGuess guess = guess_between(before, a, 1 + length / (a.place - before.place));
-    p = guess.at, start = std::move(guess.start);
-  }
+  if (bends) p = cubic(*before, a, t);
+  const WarmStart start = bends ? start_between(*before, a, t) : a.start;
   Correction correction = Correction::across;
   const auto land = [&](double share, Correction on_border) {
     p = up_to(a.at, p, share), correction = on_border, lands = true;
@@ -160,7 +161,8 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
     std::optional<CurveNode> next = stepped(curve, length, off, lands);
     const CurveNode& last = curve.back();
     if (next && goes_back(last, *next)) turn_back(*next);
-    const bool bends = !exact && next && dot(next->along, last.along) < kRules.turn;
+    const bool bends =
+        exact ? off > steps_.settled : next && dot(next->along, last.along) < kRules.turn;
     if (!next || (bends && length > kRules.corner)) {
       length *= 0.5;
       if (length >= kRules.shortest) continue;
@@ -218,7 +220,7 @@ void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) co
 // A fold at or beyond one of the two nodes, whose slopes are off by what Newton's last step has moved them, takes its place.
 void WaveCurve::put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const {
   const double t = (fold.at.x - curve.back().at.x) / (next.at.x - curve.back().at.x);
-  if (t <= 0 && curve.size() > 1) curve.pop_back();
+  if (t <= 0 && curve.size() > 1) fold.jump = curve.back().jump, curve.pop_back();
   if (goes_back(curve.back(), fold)) turn_back(fold);
   fold.place = curve.back().place + distance(curve.back().at, fold.at);
   next.place = fold.place + distance(fold.at, next.at);
@@ -244,18 +246,21 @@ std::optional<CurveNode> WaveCurve::on_curve(PlanePoint p, const WarmStart& star
   return {};
 }
 
-// Secants for H_A = 0 along the curve, halving where they leave the two nodes. At a kink of H, where H_A jumps past zero, both sides
+// Inverse interpolation for H_A = 0 along the curve, halving where it leaves the two nodes. At a kink of H, where H_A jumps past zero, both sides
 // close in on it.
 std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b) const {
   const bool exact = plane_.continued() == Continued::voltage;
-  double low = a.at.x, high = b.at.x, rise_low = a.rise;
-  if (!exact && !enclose(a, b, low, high, rise_low)) return {};
-  double before = low, rise_before = rise_low, x = 0.5 * (low + high);
+  double low = a.at.x, high = b.at.x, rise_low = a.rise, rise_high = b.rise;
+  if (!exact && !enclose(a, b, low, high, rise_low, rise_high)) return {};
+  InverseInterpolation zero(1, 0);
+  zero.add(high, rise_high), zero.add(low, rise_low);
+  double x = 0.5 * (low + high);
   if (low == a.at.x && high == b.at.x) x = low + turning_place(a, b) * (high - low);
   double last = high - low, last_before = last;
   double y = cubic(a, b, std::clamp((x - a.at.x) / (b.at.x - a.at.x), 0.0, 1.0)).y;
   WarmStart start = a.start;
   std::optional<CurveNode> n;
+  double width = std::fabs(high - low);
   for (int i = 0; i < kRules.most_tries; ++i) {
     // A wave off the curve by a small share of the step leads on as well.
     auto here = on_curve({x, y}, start, std::fmax(kRules.fold, kRules.settled_share * last * last));
@@ -271,9 +276,13 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
       if (n) n->fold = true, n->beyond_kink = std::exp(std::fmax(low, high));
       return n;
     }
-    double next = x - n->rise * (x - before) / (n->rise - rise_before);
-    const bool inside = (next - low) * (next - high) < 0;
+    zero.add(x, n->rise);
+    double next = zero.zero();
+    // Where H jumps, interpolation leads to it from one side only.
+    const bool stuck = i % 4 == 3 && std::fabs(high - low) > 0.5 * width;
+    const bool inside = !stuck && (next - low) * (next - high) < 0;
     if (!inside) next = 0.5 * (low + high);
+    if (i % 4 == 3) width = std::fabs(high - low);
     const double step = next - x;
     // The error of a secant is the product of the last two steps, but for a factor; at a kink it stays a share of the last one.
     const bool smooth = std::fabs(step) <= kRules.secants * std::fabs(last * last_before);
@@ -289,21 +298,21 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
       return n;
     }
     y = n->at.y + (inside ? 0.5 : 1) * step * n->along.y / n->along.x;
-    last_before = last, before = x, rise_before = n->rise, last = step, x = next;
+    last_before = last, last = step, x = next;
   }
-  return n;
+  return {};
 }
 
 // Widens the interval of a fold where the slope of a node is so small that it may have the wrong sign.
 bool WaveCurve::enclose(const CurveNode& a, const CurveNode& b, double& low, double& high,
-                        double& rise_low) const {
+                        double& rise_low, double& rise_high) const {
   const double apart = b.at.x - a.at.x;
   const auto widened = [&](const CurveNode& n, double& end, double away) {
     if (std::fabs(n.rise) > kRules.doubtful) return true;
     for (int i = 0; i < kRules.most_halvings; ++i, end += away, away *= 2) {
       const auto here = on_curve({end, n.at.y}, n.start, kRules.fold);
       if (!here) return false;
-      if (&n == &a) rise_low = here->rise;
+      (&n == &a ? rise_low : rise_high) = here->rise;
       if (!changes_sign(here->rise, n.rise)) return true;
       (&n == &a ? high : low) = end;
     }
@@ -331,7 +340,6 @@ std::vector<CurveNode> WaveCurve::through(const CurveNode& wave) const {
 std::optional<CurveNode> WaveCurve::between(const CurveNode& a, const CurveNode& b,
                                             double y) const {
   const double t = place_of(a, b, y);
-  const CurveGuess guess = guess_between(a, b, t);
   double low = std::fmin(a.at.x, b.at.x), high = std::fmax(a.at.x, b.at.x);
   for (const double share : {0.25, 0.5, 0.75}) {
     const double x = cubic(a, b, share).x;
@@ -342,8 +350,9 @@ std::optional<CurveNode> WaveCurve::between(const CurveNode& a, const CurveNode&
   const auto is_fold_at = [&](double x) {
     return (a.fold && a.at.x == x) || (b.fold && b.at.x == x);
   };
-  return root({guess.at.x, y}, guess.start, (t < 0.5 ? a : b).solved, a.rise + b.rise > 0,
-              low - (is_fold_at(low) ? 0 : slack), high + (is_fold_at(high) ? 0 : slack));
+  return root({cubic(a, b, t).x, y}, start_between(a, b, t), (t < 0.5 ? a : b).solved,
+              a.rise + b.rise > 0, low - (is_fold_at(low) ? 0 : slack),
+              high + (is_fold_at(high) ? 0 : slack));
 }
 
 std::optional<CurveNode> WaveCurve::polished(const CurveNode& n) const {

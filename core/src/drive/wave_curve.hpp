@@ -60,8 +60,8 @@ class WaveCurve {
                                    bool& lands) const;
   std::optional<CurveNode> fold(const CurveNode& a, const CurveNode& b) const;
   std::optional<CurveNode> on_curve(PlanePoint p, const WarmStart& start, double settled) const;
-  bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high,
-               double& rise_low) const;
+  bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high, double& rise_low,
+               double& rise_high) const;
   void put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
   bool may_turn(const CurveNode& a, const CurveNode& b) const;
   std::optional<CurveNode> halfway(const CurveNode& a, const CurveNode& b) const;
