@@ -103,15 +103,14 @@ void in_step(benchmark::State& state, contact::LaneCode& code) {
   if (std::find(codes.begin(), codes.end(), &code) == codes.end())
     return state.SkipWithError("not on this processor");
   const MotorDesign design = ring(contact::kLanes, Shape::level);
-  const auto values = performance::model_values(design);
+  const auto values = core::model_values(design);
   const auto motor =
-      performance::driven(performance::motor_model(values, performance::track_rule(design)),
-                          performance::design_wave(values));
+      core::driven(core::motor_model(values, core::track_rule(design)), core::design_wave(values));
   const double share = 0.01 * static_cast<double>(state.range(0));
   const double speed = share * evaluate(Motor(design), {Metric::no_load_speed}).value;
   std::vector<contact::ContactNumbers<double>> contacts;
   for (const auto& slice : motor.slices())
-    contacts.push_back(performance::contact_numbers(motor, slice, speed));
+    contacts.push_back(core::contact_numbers(motor, slice, speed));
   const contact::LayerMotion<double> layer(contacts[0].inertia, contacts[0].damping);
   std::vector<contact::Lap<double>> laps(contacts.size());
   std::vector<contact::LaneLap> lanes;

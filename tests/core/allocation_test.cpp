@@ -55,14 +55,14 @@ long taken_by_points(const Motor& motor) {
 
 }  // namespace
 
-TEST_CASE("the counter counts", "[core][performance][work]") {
+TEST_CASE("the counter counts", "[core][point][work]") {
   const long before = taken.load();
   const auto box = std::make_unique<double>(1.0);
   CHECK(taken.load() > before);
   CHECK(*box == 1.0);
 }
 
-TEST_CASE("an operating point takes nothing from the heap", "[core][performance][work]") {
+TEST_CASE("an operating point takes nothing from the heap", "[core][point][work]") {
   MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
   const double load = GENERATE(0.0, 0.3, 0.95, 2.0);  // 0: the ring's own
   const double threshold = GENERATE(1.0, 1.6);
@@ -73,7 +73,7 @@ TEST_CASE("an operating point takes nothing from the heap", "[core][performance]
 }
 
 TEST_CASE("no design of the box makes an operating point take from the heap",
-          "[core][performance][work]") {
+          "[core][point][work]") {
   Uniform random(11);
   long sum = 0;
   for (int i = 0; i < 500; ++i) {

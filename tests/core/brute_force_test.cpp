@@ -33,7 +33,7 @@ MotorDesign seeded_design(Uniform& random, int index) {
 }  // namespace
 
 TEST_CASE("time stepping finds the same torque and powers (T4.1, T4.2, T4.3, T4.5)",
-          "[slow][core][performance][differential]") {
+          "[slow][core][point][differential]") {
   // The tolerance is the oracle's own error estimate; brute_force.hpp says how it is made.
   Deviation torque("torque against brute force, in units of its error estimate", 1);
   Deviation absolute("torque against brute force, of mu_0 F_N r", 1e-3);

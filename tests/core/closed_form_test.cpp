@@ -71,7 +71,7 @@ double braking_begin(const ElasticMotor& m) {
 }  // namespace
 
 TEST_CASE("elastic layer drives with full friction up to the plateau speed (C8.5, T7.17)",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   Deviation plateau("plateau torque of the elastic layer", 1e-10);
   Deviation speed("plateau speed of the elastic layer", 1e-10);
   for (const double phi : {1e-3, 0.1, 0.5, 1.0, 1.4}) {
@@ -94,7 +94,7 @@ TEST_CASE("elastic layer drives with full friction up to the plateau speed (C8.5
 }
 
 TEST_CASE("elastic layer stalls below full friction once phi exceeds arccot S (C8.5, T7.12)",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   Deviation full("stall torque of the elastic layer up to phi = arccot S", 1e-10);
   Deviation below("stall torque of the elastic layer lower beyond phi = arccot S", 0);
   for (const double compliance : {0.5, 1.0, 3.0}) {
@@ -114,7 +114,7 @@ TEST_CASE("elastic layer stalls below full friction once phi exceeds arccot S (C
 }
 
 TEST_CASE("elastic layer that sticks all through runs free at sin phi / phi (C8.6, T7.14)",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   Deviation torque("torque of the elastic layer at its no-load speed", 1e-10);
   Deviation speed("no-load speed of the elastic layer", 1e-10);
   for (const double phi : {1e-2, 0.3, 1.0, 2.0, 3.0}) {
@@ -138,7 +138,7 @@ TEST_CASE("elastic layer that sticks all through runs free at sin phi / phi (C8.
 }
 
 TEST_CASE("elastic layer brakes with full friction from the braking speed on (C8.7)",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   Deviation braking("braking torque of the elastic layer", 1e-10);
   for (const double phi : {1e-2, 0.3, 1.0, 2.5}) {
     for (const double compliance : {0.02, 0.3, 1.5}) {
@@ -156,7 +156,7 @@ TEST_CASE("elastic layer brakes with full friction from the braking speed on (C8
   CHECK(braking.holds());
 }
 
-TEST_CASE("narrow contacts follow the brush-tyre law (C8.8)", "[core][performance][limit]") {
+TEST_CASE("narrow contacts follow the brush-tyre law (C8.8)", "[core][point][limit]") {
   // The law drops terms of relative order phi (1/S + S) of q, and torque changes by at most 3 per q.
   // Besides, V is known to eps and q is 1 - V over S phi.
   Deviation law("brush-tyre law, in units of the terms it drops", 1);
@@ -181,7 +181,7 @@ TEST_CASE("narrow contacts follow the brush-tyre law (C8.8)", "[core][performanc
   CHECK(narrowest.holds());
 }
 
-TEST_CASE("stiff layers follow the rigid law (C8.2, C8.3)", "[core][performance][limit]") {
+TEST_CASE("stiff layers follow the rigid law (C8.2, C8.3)", "[core][point][limit]") {
   // Where v_rel passes zero at cos theta* = V, on either side of the crest, the layer sticks until tau has gone
   // from one cone to the other: 2 (cos theta* - c) = sin theta* delta^2 / (2 S). Over that width tau is off by
   // at most 2 mu p, of an integral of 2 g mu P; both sides together give the bound below.
@@ -221,7 +221,7 @@ TEST_CASE("stiff layers follow the rigid law (C8.2, C8.3)", "[core][performance]
 }
 
 TEST_CASE("soft layers carry the torque of a contact that sticks all through (T4.2, T4.5)",
-          "[core][performance][limit]") {
+          "[core][point][limit]") {
   // Stuck from entry on, h W eps = V0 (sin theta + sin phi) - U (theta + phi) and tau = G eps. Near the exit,
   // where mu p falls below the largest such traction, the layer slips and carries between 0 and tau. The
   // pressure being concave, that is at most a share tau / (mu p(0)) of phi: the bound below.
@@ -256,7 +256,7 @@ TEST_CASE("soft layers carry the torque of a contact that sticks all through (T4
 }
 
 TEST_CASE("where the whole contact slips one way the torque is that of Coulomb (C8.1)",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   Deviation coulomb("torque where the whole contact slips one way, of mu F_N r", 1e-12);
   Uniform random(77);
   int found = 0;
@@ -277,7 +277,7 @@ TEST_CASE("where the whole contact slips one way the torque is that of Coulomb (
 }
 
 TEST_CASE("elastic torque is smooth in speed: slope and curvature vanish at the plateau's end",
-          "[core][performance][closed_form]") {
+          "[core][point][closed_form]") {
   const ElasticMotor m = elastic_motor(0.8, 0.2);
   const Motor motor(m.design);
   const double end = plateau_end(m);

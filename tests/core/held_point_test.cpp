@@ -7,6 +7,7 @@
 #include <twum/core/parameters.hpp>
 
 #include "support/driven_motors.hpp"
+#include "support/metric_requests.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -140,6 +141,88 @@ TEST_CASE("a held wave put back carries its torque (Y2.1)", "[core][held][identi
         CHECK(apart(again.voltage, held.voltage) <= 1e-11);
       }
     }
+  }
+}
+
+TEST_CASE("metrics at a torque and a speed are those of the motor under the held wave (Y2.5)",
+          "[core][held][identity]") {
+  MotorDesign design = test::driven_motor_with_layer();
+  for (const DriveControl control : {DriveControl::frequency, DriveControl::voltage}) {
+    design.stator.control = control;
+    const double torque = 0.5, speed = 9;
+    const HeldPoint held = held_point(design, torque, speed);
+    REQUIRE(held.status == HeldStatus::ok);
+    const auto value = [&](Metric metric) {
+      return evaluate(Motor(design), MetricRequest{metric, Argument::both, speed, torque}).value;
+    };
+    // Rounding alone: both are the same numbers of one contact.
+    CHECK(value(Metric::drive_frequency_at) == Approx(held.frequency).epsilon(1e-12));
+    CHECK(value(Metric::drive_voltage_at) == Approx(held.voltage).epsilon(1e-11));
+    CHECK(value(Metric::amplitude_at) == Approx(held.amplitude).epsilon(1e-12));
+    CHECK(value(Metric::output_power_at) == Approx(torque * speed).epsilon(1e-11));
+    CHECK(value(Metric::electrical_power_at) == Approx(held.point.electrical_power).epsilon(1e-11));
+    // The open-loop motor at the held setting runs at this speed under this load: it is stable there.
+    REQUIRE_FALSE(held.by_control_only);
+    MotorDesign open = with(design, Parameter::frequency, held.frequency);
+    open = with(open, Parameter::voltage, held.voltage);
+    CHECK(evaluate(Motor(open), MetricRequest{Metric::speed_at, Argument::torque, torque}).value ==
+          Approx(speed).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("what the drive cannot hold has a status with the value that would do",
+          "[core][held][error]") {
+  MotorDesign design = test::driven_motor();
+  const double largest = 0.23 * 170 * design.stator.contact_radius;
+  CHECK(held_point(design, 1.01 * largest, 5).status == HeldStatus::torque_out_of_reach);
+  CHECK(held_point(design, 1.01 * largest, 5).needed == Approx(largest).epsilon(1e-12));
+  const HeldPoint held = held_point(design, 0.5, 9);
+  REQUIRE(held.status == HeldStatus::ok);
+  design.stator.frequency_range = {1.001 * held.frequency, 1.1 * held.frequency};
+  CHECK(held_point(design, 0.5, 9).status == HeldStatus::outside_frequency_range);
+  CHECK(held_point(design, 0.5, 9).needed == held.frequency);
+  design.stator.frequency_range = {0.9 * held.frequency, 1.001 * held.frequency};
+  CHECK(held_point(design, 0.5, 9).status == HeldStatus::ok);
+  design.stator.control = DriveControl::voltage;
+  const HeldPoint by_voltage = held_point(design, 0.5, 9);
+  REQUIRE(by_voltage.status == HeldStatus::ok);
+  CHECK(held_point(with(design, Parameter::voltage, 0.999 * by_voltage.voltage), 0.5, 9).status ==
+        HeldStatus::voltage_too_low);
+  const MotorDesign ring = test::ring_motor();
+  const HeldPoint by_amplitude = held_point(ring, 0.5, 1);
+  REQUIRE(by_amplitude.status == HeldStatus::ok);
+  const HeldPoint more =
+      held_point(with(ring, Parameter::amplitude, 0.999 * by_amplitude.amplitude), 0.5, 1);
+  CHECK(more.status == HeldStatus::amplitude_too_low);
+  CHECK(more.needed == Approx(by_amplitude.amplitude).epsilon(1e-12));
+  // torque_at and speed_at are what is given; a metric of the motor has no point.
+  for (const Metric metric : {Metric::torque_at, Metric::speed_at, Metric::stall_torque})
+    CHECK(evaluate(Motor(ring), MetricRequest{metric, Argument::both, 1, 0.5}).status ==
+          MetricStatus::undefined);
+}
+
+TEST_CASE("derivatives of held metrics agree with differences of solving again (Y2.6)",
+          "[core][held][derivative]") {
+  std::vector<MetricRequest> asked;
+  for (const MetricInfo& row : metric_table()) {
+    const bool has = row.argument == Argument::both || row.argument == Argument::speed_or_torque;
+    if (has && row.metric != Metric::squeal_rate_at && row.metric != Metric::sensor_voltage_at &&
+        row.metric != Metric::sensor_phase_at && row.metric != Metric::backward_ratio_at)
+      asked.push_back({row.metric, Argument::both, 9, 0.5});
+  }
+  REQUIRE(asked.size() >= 15);
+  MotorDesign by_frequency = test::driven_motor_with_layer(), by_voltage = by_frequency;
+  by_voltage.stator.control = DriveControl::voltage;
+  MotorDesign by_ratio = by_voltage;
+  by_ratio.stator.frequency_ratio =
+      by_ratio.stator.frequency / *by_ratio.stator.resonance_frequency;
+  MotorDesign elastic = test::driven_motor();
+  for (const MotorDesign& design : {by_frequency, by_voltage, by_ratio, elastic}) {
+    const auto check = test::against_differences(design, asked, 1e-4);
+    CAPTURE(check.where, check.compared);
+    // Richardson's extrapolation leaves the fourth power of the step times the curvature, and rounding 1e-11 / 1e-4.
+    CHECK(check.worst <= 1e-6);
+    CHECK(check.compared > 100);
   }
 }
 

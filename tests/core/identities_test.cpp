@@ -37,7 +37,7 @@ void for_each_point(Check check) {
 
 }  // namespace
 
-TEST_CASE("input power is output plus losses (T7.10)", "[core][performance][identity]") {
+TEST_CASE("input power is output plus losses (T7.10)", "[core][point][identity]") {
   // Every integral is that of the exact motion, so what remains is rounding: a few dozen terms of the
   // scale at eps = 2e-16, amplified by the condition of the periodic state, at most 1e3 for a loss
   // factor of 0.001. 1e-11 leaves a factor of ten.
@@ -48,8 +48,7 @@ TEST_CASE("input power is output plus losses (T7.10)", "[core][performance][iden
   CHECK(identity.holds());
 }
 
-TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)",
-          "[core][performance][limit]") {
+TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)", "[core][point][limit]") {
   Deviation identity("identity of contacts 1e-4 to 6e-3 rad narrow, in units of their rounding", 1);
   for (const double load : {1e-8, 1e-10, 1e-12}) {
     MotorDesign design = ring_motor();
@@ -70,7 +69,7 @@ TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)",
 }
 
 TEST_CASE("narrow contacts of layers soft and stiff in shear keep the identity (T7.10)",
-          "[core][performance][limit]") {
+          "[core][point][limit]") {
   Deviation identity(
       "identity of narrow contacts, G of 1e-3 to 1e2 its own, in units of their rounding", 1);
   for (const double ratio : {1e2, 10.0, 1.0, 1e-2, 1e-3}) {
@@ -101,7 +100,7 @@ TEST_CASE("narrow contacts of layers soft and stiff in shear keep the identity (
 }
 
 TEST_CASE("input power is output plus losses on random realistic motors (T7.10)",
-          "[core][performance][identity]") {
+          "[core][point][identity]") {
   Deviation identity("identity on 300 realistic designs x 6 speeds", 1e-11);
   Uniform random(20240611);
   int answered = 0;
@@ -119,7 +118,7 @@ TEST_CASE("input power is output plus losses on random realistic motors (T7.10)"
   CHECK(identity.holds());
 }
 
-TEST_CASE("no torque exceeds the holding torque (C8.1, T7.8)", "[core][performance][identity]") {
+TEST_CASE("no torque exceeds the holding torque (C8.1, T7.8)", "[core][point][identity]") {
   Deviation bound("torque beyond mu_0 F_N r, of it", 1e-13);
   for_each_point([&](const Motor& motor, const OperatingPoint& point) {
     CHECK(motor.holding_torque() == Approx(torque_scale(motor.design())).epsilon(1e-15));
@@ -129,7 +128,7 @@ TEST_CASE("no torque exceeds the holding torque (C8.1, T7.8)", "[core][performan
   });
 }
 
-TEST_CASE("friction and the layer only take power (T7.3, T7.4)", "[core][performance][identity]") {
+TEST_CASE("friction and the layer only take power (T7.3, T7.4)", "[core][point][identity]") {
   Deviation negative("friction power and layer loss below zero, of their scale", 1e-13);
   for_each_point([&](const Motor& motor, const OperatingPoint& point) {
     // Exact values are never negative; rounding of sums of the scale may show where they are zero.
@@ -140,7 +139,7 @@ TEST_CASE("friction and the layer only take power (T7.3, T7.4)", "[core][perform
 }
 
 TEST_CASE("the numbers of a point fit together (T7.1, T7.5, T7.6, T7.7, T7.9)",
-          "[core][performance][identity]") {
+          "[core][point][identity]") {
   MotorDesign design = ring_motor();
   design.stator.modal_damping = 45;
   const Motor motor(design);
@@ -160,7 +159,7 @@ TEST_CASE("the numbers of a point fit together (T7.1, T7.5, T7.6, T7.7, T7.9)",
 }
 
 TEST_CASE("efficiencies are not numbers where no power is put in (T7.6, T7.7)",
-          "[core][performance][limit]") {
+          "[core][point][limit]") {
   const Motor motor(ring_motor());
   const auto braked = motor.operating_point(1.5 * motor.crest_speed());
   REQUIRE(braked.stator_power < 0);
@@ -189,7 +188,7 @@ TEST_CASE("zones cover the contact without gaps and tell the stick fraction (T4.
   });
 }
 
-TEST_CASE("a curve is its points", "[core][performance][identity]") {
+TEST_CASE("a curve is its points", "[core][point][identity]") {
   const Motor motor(ring_motor());
   std::vector<double> speeds;
   for (int i = 0; i <= 120; ++i) speeds.push_back(motor.crest_speed() * (i - 20) / 80.0);
@@ -203,7 +202,7 @@ TEST_CASE("a curve is its points", "[core][performance][identity]") {
   }
 }
 
-TEST_CASE("the same question has the same answer to the bit", "[core][performance][identity]") {
+TEST_CASE("the same question has the same answer to the bit", "[core][point][identity]") {
   const Motor motor(ring_motor());
   const Motor again(ring_motor());
   for (const double share : {0.0, 0.3, 0.7, 0.9, 1.2}) {

@@ -294,7 +294,7 @@ TEST_CASE("a maximum among speeds that never repeat themselves is given up for a
 
 // The same physics by another way in: the wave belongs to the conditions or to the design.
 TEST_CASE("a motor under another wave is the motor made for that wave (T2.1, T2.2)",
-          "[core][performance][identity]") {
+          "[core][point][identity]") {
   Uniform random(31);
   for (int i = 0; i < 40; ++i) {
     MotorDesign design = realistic_design(random);
@@ -317,7 +317,7 @@ TEST_CASE("a motor under another wave is the motor made for that wave (T2.1, T2.
   }
 }
 
-TEST_CASE("a wave that no motor has is refused", "[core][performance][error]") {
+TEST_CASE("a wave that no motor has is refused", "[core][point][error]") {
   const Motor motor(ring_motor());
   CHECK_THROWS_AS(motor.operating_point({10, -1e-6, 40e3}), InputError);
   CHECK_THROWS_AS(motor.operating_point({10, 1e-6, 0}), InputError);

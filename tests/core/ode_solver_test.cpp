@@ -21,7 +21,7 @@ using namespace twum::test;
 TEST_CASE(
     "a general ODE solver finds the same torque and powers (T4.1, T4.2, T4.3, T4.5, T7.2, T7.3, "
     "T7.4)",
-    "[core][performance][differential]") {
+    "[core][point][differential]") {
   // The solver keeps 1e-13 a step over some hundreds of steps a lap: 1e-10 of the scale; its own
   // estimate says where a nearly double root makes it worse.
   Deviation torque("torque against the ODE solver, of mu_0 F_N r", 1e-10);

@@ -34,7 +34,7 @@ void for_each_point(Check check) {
 
 }  // namespace
 
-TEST_CASE("torque of the reference motors (T4.5)", "[core][performance][differential]") {
+TEST_CASE("torque of the reference motors (T4.5)", "[core][point][differential]") {
   Deviation torque("torque of the reference cases", 1e-9);
   for_each_point([&](const MotorDesign& design, const Row& row) {
     const auto point = Motor(design).operating_point(row.at("speed"));
@@ -46,7 +46,7 @@ TEST_CASE("torque of the reference motors (T4.5)", "[core][performance][differen
 }
 
 TEST_CASE("powers of the reference motors (T7.1, T7.2, T7.3, T7.4)",
-          "[core][performance][differential]") {
+          "[core][point][differential]") {
   Deviation powers("powers of the reference cases", 1e-8);
   for_each_point([&](const MotorDesign& design, const Row& row) {
     const Motor motor(design);

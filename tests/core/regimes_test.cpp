@@ -70,7 +70,7 @@ TEST_CASE("a wide contact of a stiff layer has the paper's five zones",
 }
 
 TEST_CASE("amplitude does not change the torque of a contact that slips one way",
-          "[core][performance][published]") {
+          "[core][point][published]") {
   // While all slips the torque is mu F_N r whatever A; exact but for rounding of the half angle.
   MotorDesign design = ring_motor();
   const double coulomb = 0.2 * 160 * 0.0265;
@@ -82,7 +82,7 @@ TEST_CASE("amplitude does not change the torque of a contact that slips one way"
   }
 }
 
-TEST_CASE("more amplitude means a higher no-load speed", "[core][performance][published]") {
+TEST_CASE("more amplitude means a higher no-load speed", "[core][point][published]") {
   MotorDesign low = ring_motor();
   MotorDesign high = ring_motor();
   low.stator.amplitude = 1.2e-6;
@@ -93,7 +93,7 @@ TEST_CASE("more amplitude means a higher no-load speed", "[core][performance][pu
 }
 
 TEST_CASE("more preload widens the contact and lowers the no-load speed",
-          "[core][performance][published]") {
+          "[core][point][published]") {
   const MotorDesign base = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
   Deviation trend("preload widens the contact and lowers the no-load speed", 0);
   double ratio = 0;
@@ -108,7 +108,7 @@ TEST_CASE("more preload widens the contact and lowers the no-load speed",
   }
 }
 
-TEST_CASE("a thinner layer raises the no-load speed", "[core][performance][published]") {
+TEST_CASE("a thinner layer raises the no-load speed", "[core][point][published]") {
   const MotorDesign base = GENERATE(damped(ring_motor()), elastic(ring_motor()));
   Deviation trend("a thinner layer raises the no-load speed", 0);
   double speed = 0;

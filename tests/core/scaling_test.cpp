@@ -48,8 +48,7 @@ void check_scaling(const char* name, double torque_factor, double speed_factor, 
 
 }  // namespace
 
-TEST_CASE("stresses and forces scaled alike scale the torque (C8.9)",
-          "[core][performance][scaling]") {
+TEST_CASE("stresses and forces scaled alike scale the torque (C8.9)", "[core][point][scaling]") {
   const double c = 3.7;
   check_scaling("scaling of stresses", c, 1, [c](MotorDesign d) {
     d.layer.youngs_modulus *= c;
@@ -61,7 +60,7 @@ TEST_CASE("stresses and forces scaled alike scale the torque (C8.9)",
   });
 }
 
-TEST_CASE("time scaled alike leaves the torque (C8.10)", "[core][performance][scaling]") {
+TEST_CASE("time scaled alike leaves the torque (C8.10)", "[core][point][scaling]") {
   const double c = 0.6;
   check_scaling("scaling of time", 1, c, [c](MotorDesign d) {
     d.stator.frequency *= c;
@@ -112,7 +111,7 @@ TEST_CASE("speeds sought scale with time, to the bit in powers of two (C8.10)",
 }
 
 TEST_CASE("a wider track with as much more preload scales the torque (C8.11)",
-          "[core][performance][scaling]") {
+          "[core][point][scaling]") {
   const double c = 2.3;
   check_scaling("scaling of the width", c, 1, [c](MotorDesign d) {
     d.stator.contact_width *= c;
@@ -122,7 +121,7 @@ TEST_CASE("a wider track with as much more preload scales the torque (C8.11)",
 }
 
 TEST_CASE("a motor built larger of the same material gives torque as its volume (C8.12)",
-          "[core][performance][scaling]") {
+          "[core][point][scaling]") {
   const double c = 1.9;
   check_scaling("scaling of lengths", c * c * c, 1 / c, [c](MotorDesign d) {
     d.stator.contact_radius *= c;
@@ -156,8 +155,7 @@ TEST_CASE("the layer's constants follow the material unless given (T1.2, T1.3, T
   CHECK(inertia(design) == 0);
 }
 
-TEST_CASE("drive velocities of the ring motor (T1.1, T2.1, T2.2)",
-          "[core][performance][closed_form]") {
+TEST_CASE("drive velocities of the ring motor (T1.1, T2.1, T2.2)", "[core][point][closed_form]") {
   const Motor motor(ring_motor());
   // n = 9, r = 26.5 mm, a = 3 mm, A = 1.6 um, f = 40 kHz: V0 = kappa a A omega
   const double omega = 251327.41228718346;

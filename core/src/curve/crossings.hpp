@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A speed where the torque takes a value.
 struct Crossing {
@@ -45,4 +45,4 @@ class CurveCrossings {
   std::optional<double> plateau_end_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Thrown inside a search when a point has no answer; the metric takes the status.
 struct SearchFailure {
@@ -81,8 +81,8 @@ class Curve {
   double holding() const { return holding_torque(motor_); }          ///< mu_0 F_N r [N m]
   /// The input is more than what the contact takes, so that an efficiency means something at no-load (T7.18).
   bool has_input() const { return motor_.stator_damping > 0; }
-  bool may_jump() const { return performance::may_jump(motor_); }
-  bool has_static_excess() const { return performance::has_static_excess(motor_); }
+  bool may_jump() const { return core::may_jump(motor_); }
+  bool has_static_excess() const { return core::has_static_excess(motor_); }
   /// The torque never rises with the speed, but for what the speed takes from the wave's turn (E6.7).
   bool falls() const { return one_wave_ && !has_static_excess(); }
 
@@ -99,4 +99,4 @@ class Curve {
   double begin_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

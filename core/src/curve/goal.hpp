@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// How a supremum over speed is reached.
 enum class PeakKind : unsigned char {
@@ -71,4 +71,4 @@ class GoalCurve {
   CurvePoints& points_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

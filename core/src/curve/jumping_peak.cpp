@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::performance {
+namespace twum::core {
 
 Peak JumpingPeakSearch::find() {
   const std::vector<CurvePoint> nodes = crossings_.working_nodes();
@@ -88,4 +88,4 @@ Peak JumpingPeakSearch::named(Peak peak) {
   return peak;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

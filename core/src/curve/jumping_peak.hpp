@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Search for the largest value of a goal where torque may jump: every stretch with the same sequence of zones, or without
 /// a periodic state, is taken by itself, its ends located by halving.
@@ -33,4 +33,4 @@ class JumpingPeakSearch {
   CurveStretches& stretches_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

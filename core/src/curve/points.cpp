@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr double kFarBeyond = 3;           // distances of the last two points
@@ -84,4 +84,4 @@ void Halving::lose(long zones, MetricStatus status) {
   if (lost_ > kMostLost) throw SearchFailure{status};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

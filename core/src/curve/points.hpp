@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Points and slopes of one curve. Those that several searches need are found once.
 class CurvePoints {
@@ -77,4 +77,4 @@ class Halving {
   long lost_{0};  // zones followed in vain by this search
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

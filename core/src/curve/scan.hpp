@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Points of the curve from its beginning to the first one past no-load: between which of them to look for what is
 /// searched. Between two neighbours torque is taken to have no more than one maximum (with mu_0 > mu: one in each stretch
@@ -70,4 +70,4 @@ class CurveScan {
   bool done_{false};
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

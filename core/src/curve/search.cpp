@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr double kSameTorque = 1e-14;  // what rounding leaves of the plateau's torque
@@ -118,4 +118,4 @@ std::vector<CurvePoint> CurveSearch::nodes_around(double torque) {
   return all;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// What is searched for over a torque-speed curve. Each result is found once and kept.
 class CurveSearch {
@@ -46,4 +46,4 @@ class CurveSearch {
   std::array<std::optional<Peak>, kGoals> peaks_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Search for the largest value of a goal where torque does not jump: humps of the nodes, made exact by their slopes.
 class SmoothPeakSearch {
@@ -37,4 +37,4 @@ class SmoothPeakSearch {
   std::vector<CurvePoint> nodes_;  // up to no-load
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

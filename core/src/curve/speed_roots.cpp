@@ -3,7 +3,7 @@
 
 #include <twum/base/error.hpp>
 
-namespace twum::performance {
+namespace twum::core {
 
 Bracket close_in(const std::function<double(double)>& f, const Bracket& ends) {
   try {
@@ -13,4 +13,4 @@ Bracket close_in(const std::function<double(double)>& f, const Bracket& ends) {
   }
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// closed_in() for a search along the curve.
 /// @throws SearchFailure (unresolved) if the ends do not differ in sign
@@ -140,4 +140,4 @@ class InverseInterpolation {
   double unit_, accuracy_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr std::size_t kStretches = 8;  // sequences of zones between two points
@@ -139,4 +139,4 @@ CurvePoint CurveStretches::past_jump(const CurvePoint& end, double inside) {
   return past;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A part of the curve with the same sequence of zones and without a jump, if there were not too many to tell apart; or a
 /// part without a periodic state.
@@ -47,4 +47,4 @@ class CurveStretches {
   std::map<std::pair<double, double>, std::vector<Stretch>> known_;  // by the speeds of both points
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

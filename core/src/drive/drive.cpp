@@ -3,7 +3,7 @@
 
 #include "point/slice_count.hpp"
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 // The number of slices for `auto` follows from the motor under the wave of one slice at first_speed(), which is near enough
@@ -56,4 +56,4 @@ DrivenMotor<double> Drive::first_motor() const {
 
 MotorPoint Drive::at(double speed) const { return branch_.at(speed, asked_ == Branch::running); }
 
-}  // namespace twum::performance
+}  // namespace twum::core

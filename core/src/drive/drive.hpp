@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A motor whose wave follows from voltage and load. Immutable.
 class Drive {
@@ -50,4 +50,4 @@ class Drive {
   RunningBranch branch_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::kInAmplitude;
@@ -160,4 +160,4 @@ double DrivenWaves::contact_stiffness() const {
          (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A motor at a speed: the wave there, and the contact under it.
 struct MotorPoint {
@@ -84,7 +84,7 @@ class DrivenWaves {
     SolvedPoint solved;
     SlopedWave in_amplitude;
     PointNumbers<contact::MotionDual> numbers;
-    double force_per_speed{0};  ///< H_Omega, or H_omega along the frequency
+    double force_per_speed{0};                    ///< H_Omega, or H_omega along the frequency
     WaveBalance<double> balance_per_speed{0, 0};  ///< R and I likewise
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
@@ -105,7 +105,7 @@ class DrivenWaves {
   /// The track is split where zones begin.
   bool splits() const { return model_.track.splits; }
   /// mu_0 > mu: only laps from rest tell the contact's state, not a wave nearby.
-  bool has_static_excess() const { return performance::has_static_excess(model_); }
+  bool has_static_excess() const { return core::has_static_excess(model_); }
   const MotorModel<double>& model() const { return model_; }
   const StatorModes<double>& modes() const { return modes_; }
   double drive() const { return drive_; }
@@ -135,4 +135,4 @@ class DrivenWaves {
   double reach_;                       // k of (D2.10)
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 // Amplitudes beyond those of any motor [m]: where the bounds are infinite, without damping or preload.
@@ -266,4 +266,4 @@ std::vector<WaveSolution> ForceLine::solutions() const {
   return found;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A wave that the drive holds at a speed: a root of H(A) = Theta u_0 (D2.4).
 struct WaveSolution {
@@ -78,4 +78,4 @@ class ForceLine {
 /// Upper bound of the amplitude of a wave (D2.7).
 double largest_amplitude(const DrivenWaves& waves);
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr int kNodesOfFlank = 80;
@@ -303,4 +303,4 @@ std::optional<ResponseWave> FrequencyPath::at(const PathPiece& piece, double ome
   return {};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A piece of a path on which the frequency is monotonic and all waves are stable, or none.
 struct PathPiece {
@@ -74,4 +74,4 @@ class FrequencyPath {
   std::vector<double> resonances_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

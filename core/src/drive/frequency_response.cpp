@@ -15,8 +15,8 @@
 namespace twum {
 namespace {
 
-using performance::PathPiece;
-using performance::ResponseWave;
+using core::PathPiece;
+using core::ResponseWave;
 
 constexpr double kTurnOfResponse = 2 * std::numbers::pi;
 constexpr double kMargin = 0.15;       // of the range of jumps and resonances, on both sides
@@ -35,7 +35,7 @@ void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
 }
 
 // Upper bound of the resonances: a stator with full contact that sticks all round.
-double highest_resonance(const performance::DrivenWaves& waves) {
+double highest_resonance(const core::DrivenWaves& waves) {
   const auto& m = waves.modes();
   return std::sqrt(m.resonance * m.resonance + waves.contact_stiffness() / m.mass);
 }
@@ -53,14 +53,14 @@ const char* to_string(BranchEndKind kind) noexcept {
 }
 
 struct FrequencyResponse::Content {
-  performance::DrivenWaves waves;
+  core::DrivenWaves waves;
   RotorLoad load;
-  performance::FrequencyPath path;
+  core::FrequencyPath path;
   double from, to;  // [rad/s]
 
   Content(const MotorDesign& design, const RotorLoad& rotor_load,
           const std::optional<std::pair<double, double>>& range)
-      : waves(performance::Drive::waves_of(design)),
+      : waves(core::Drive::waves_of(design)),
         load(rotor_load),
         path(waves, load, lowest(range), highest(range)) {
     if (range) {
@@ -91,16 +91,15 @@ struct FrequencyResponse::Content {
 
   ResponsePoint point_of(const ResponseWave& wave) const {
     const auto motor = waves.at_frequency(wave.omega).motor(wave.amplitude);
-    const auto solved = performance::solve_point(motor, wave.speed, &wave.start);
-    OperatingPoint point =
-        performance::operating_point_of(motor, solved, wave.speed, &waves.modes());
+    const auto solved = core::solve_point(motor, wave.speed, &wave.start);
+    OperatingPoint point = core::operating_point_of(motor, solved, wave.speed, &waves.modes());
     // The search for the speed finds the torque to 1e-9. If the rotor stands still, friction balances the load
     // exactly.
     if (load.given == Argument::torque)
       point.torque = load.value, point.output_power = load.value * wave.speed;
     return {wave.frequency(), point, wave.stable,
-            performance::backward_wave_of(motor, solved, wave.speed, &waves.modes(),
-                                          waves.modes().rotor_mass)};
+            core::backward_wave_of(motor, solved, wave.speed, &waves.modes(),
+                                   waves.modes().rotor_mass)};
   }
 
   struct Place {

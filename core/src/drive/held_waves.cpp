@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr double kSettledSquare = 1e-14;  // of omega^2
@@ -229,4 +229,4 @@ std::optional<ResponseWave> HeldWaves::polished(ResponseWave wave) const {
   return {};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

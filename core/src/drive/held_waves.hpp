@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A wave that the drive holds at its own frequency.
 struct ResponseWave {
@@ -74,4 +74,4 @@ class HeldWaves {
   RotorLoad load_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

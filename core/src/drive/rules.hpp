@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// How finely a curve of waves is followed.
 struct CurveSteps {
@@ -132,4 +132,4 @@ struct ContinuationRules {
 };
 inline constexpr ContinuationRules kRules{};
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 // The lowest minimum of H, which has to be passed to hold a running wave.
@@ -385,4 +385,4 @@ bool RunningBranch::steady(const MotorPoint& point, double speed) const {
   return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
 struct BranchPiece {
@@ -93,4 +93,4 @@ class RunningBranch {
   std::vector<const CurveNode*> nodes_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -213,4 +213,4 @@ std::optional<Threshold> Thresholds::jumping_frequency(bool start) {
   return Threshold{root, e->amplitude, root};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

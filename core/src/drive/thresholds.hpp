@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A voltage or a frequency at which the number of waves at rest changes, and the wave that appears or vanishes
 /// there.
@@ -57,4 +57,4 @@ class Thresholds {
   std::optional<Threshold> found_[4];
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

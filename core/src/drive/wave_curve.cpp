@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/wave_curve.hpp"
 
-#include "performance/curve/speed_roots.hpp"
+#include "curve/speed_roots.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 double distance(PlanePoint a, PlanePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -378,4 +378,4 @@ std::optional<CurveNode> WaveCurve::root(PlanePoint p, WarmStart start, const So
   return {};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A part of the plane, by its corners.
 struct PlaneRange {
@@ -76,4 +76,4 @@ class WaveCurve {
   mutable long zones_{0};
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

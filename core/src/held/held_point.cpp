@@ -14,15 +14,9 @@
 
 namespace twum {
 
-using namespace performance;
+using namespace core;
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-// T_p - T goes with the cube of A_p - A: closer to the plateau the amplitude is not determined.
-constexpr double kReach = 1 - 1e-6;
-constexpr int kMostFrequencies = 60;
-constexpr double kSettled = 1e-13;  // of omega
 
 HeldPoint without_wave(HeldStatus status, double needed = kNoValue) {
   return {status, kNoValue, kNoValue, kNoValue, needed, false, {}};
@@ -47,7 +41,7 @@ class Holding {
 
   HeldPoint held() const {
     const bool may_exceed = waves_.has_static_excess() || waves_.model().inertia > 0;
-    if (!may_exceed && loaded_.torque() > kReach * loaded_.plateau())
+    if (!may_exceed && loaded_.torque() > kHeldRules.reach * loaded_.plateau())
       return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
     auto wave = loaded_.smallest(waves_.omega());
     if (!wave) return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
@@ -60,7 +54,7 @@ class Holding {
   // torque. Without enough voltage it leads to R = 0, where the least is needed.
   HeldPoint at_frequency(LoadedWave w) const {
     const double drive = waves_.drive();
-    for (int i = 0; i < kMostFrequencies; ++i) {
+    for (int i = 0; i < kHeldRules.most_tries; ++i) {
       const double square = drive * drive - w.force.imaginary * w.force.imaginary;
       const double flank = square > 0 ? std::sqrt(square) : 0;
       const double follows = -w.torque_in_omega / w.torque_in_amplitude;  // dA / domega
@@ -71,9 +65,9 @@ class Holding {
       if (flank > 0) slope -= w.force.imaginary * imaginary_slope / flank;
       if (!(slope < 0)) slope = real_slope;  // next to R = 0 the root is steep
       double step = -gap / slope;
-      const double room = 0.05 * w.omega;
+      const double room = kHeldRules.longest_in_frequency * w.omega;
       if (std::fabs(step) > room) step = std::copysign(room, step);
-      if (std::fabs(step) <= kSettled * w.omega) {
+      if (std::fabs(step) <= kHeldRules.settled * w.omega) {
         if (square < 0)
           return without_wave(HeldStatus::voltage_too_low, rms_of(std::fabs(w.force.imaginary)));
         return told(w);
@@ -93,7 +87,7 @@ class Holding {
   HeldPoint told(const LoadedWave& w) const {
     HeldPoint held;
     held.needed = kNoValue;
-    held.amplitude = w.amplitude, held.frequency = w.omega / kTurn;
+    held.amplitude = w.amplitude, held.frequency = w.omega / (2 * std::numbers::pi);
     held.voltage = modes_ ? rms_of(w.force.force()) : kNoValue;
     const DrivenWaves there = waves_.at_frequency(w.omega);
     held.point = operating_point_of(there.motor(w.amplitude), w.slopes.solved, speed_,

@@ -4,17 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::performance {
-namespace {
-
-// ln A from node to node below the first wave that carries the torque. Ripples of a layer that rings are longer.
-constexpr double kLongest = 0.04, kShortest = 2e-3;
-// The layer touches the rotor as fast as it turns at the smallest amplitude of interest; the largest is far beyond any motor's.
-constexpr double kFarthest = 1e4;
-constexpr int kMostSteps = 400, kMostTries = 80;
-constexpr double kSettled = 1e-13;  // of A
-
-}  // namespace
+namespace twum::core {
 
 double LoadedWaves::plateau() const {
   const MotorModel<double>& m = waves_.model();
@@ -48,16 +38,17 @@ LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* nea
 // Newton's method in a bracket, halving where it leaves it.
 std::optional<LoadedWave> LoadedWaves::between(LoadedWave low, LoadedWave high) const {
   LoadedWave w = high;
-  for (int i = 0; i < kMostTries; ++i) {
+  for (int i = 0; i < kHeldRules.most_tries; ++i) {
     double next = w.amplitude + (torque_ - w.torque) / w.torque_in_amplitude;
     const double step = std::fabs(next - w.amplitude);
-    if (step <= kSettled * w.amplitude) return w;
+    if (step <= kHeldRules.settled * w.amplitude) return w;
     if (!(next > low.amplitude && next < high.amplitude))
       next = 0.5 * (low.amplitude + high.amplitude);
-    if (high.amplitude - low.amplitude <= kSettled * high.amplitude) {
+    if (high.amplitude - low.amplitude <= kHeldRules.settled * high.amplitude) {
       // A jump of the torque passes by the load.
       const double scale = std::fabs(torque_) + plateau();
-      return high.torque - low.torque <= 1e-9 * scale ? std::optional(high) : std::nullopt;
+      return high.torque - low.torque <= kHeldRules.jump * scale ? std::optional(high)
+                                                                 : std::nullopt;
     }
     w = at(next, w.omega, &w);
     if (!w.ok()) return {};
@@ -71,7 +62,9 @@ std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
                                                     const LoadedWave& high) const {
   if (!(low.torque_in_amplitude > 0 && high.torque_in_amplitude < 0)) return {};
   LoadedWave a = low, b = high;
-  for (int i = 0; i < kMostTries && b.amplitude - a.amplitude > 1e-6 * b.amplitude; ++i) {
+  for (int i = 0;
+       i < kHeldRules.most_tries && b.amplitude - a.amplitude > kHeldRules.peak * b.amplitude;
+       ++i) {
     const double share = a.torque_in_amplitude / (a.torque_in_amplitude - b.torque_in_amplitude);
     const double next = a.amplitude + std::clamp(share, 0.1, 0.9) * (b.amplitude - a.amplitude);
     LoadedWave w = at(next, low.omega, &a);
@@ -87,10 +80,10 @@ std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
   const double least = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
   LoadedWave last = at(least, omega);
   const bool monotone = is_monotone();
-  double step = monotone ? 4 * kLongest : kLongest;
-  for (int i = 0; i < kMostSteps; ++i) {
+  double step = monotone ? 4 * kHeldRules.longest : kHeldRules.longest;
+  for (int i = 0; i < kHeldRules.most_steps; ++i) {
     LoadedWave next = at(last.amplitude * std::exp(step), omega, last.ok() ? &last : nullptr);
-    if (next.amplitude > kFarthest * least + 1) return {};
+    if (next.amplitude > kHeldRules.farthest * least + 1) return {};
     if (monotone) step *= 1.3;
     if (!next.ok() || !last.ok()) {
       last = std::move(next);
@@ -100,9 +93,11 @@ std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
     if (!monotone) {
       if (auto peak = peak_between(last, next)) return between(last, *peak);
       const double left = (torque_ - next.torque) / (next.torque_in_amplitude * next.amplitude);
-      step = left > 0 ? std::clamp(0.5 * left, kShortest, kLongest) : kLongest;
+      step = left > 0 ? std::clamp(0.5 * left, kHeldRules.shortest, kHeldRules.longest)
+                      : kHeldRules.longest;
       // Beyond the plateau nothing changes any more.
-      if (next.slopes.solved.drives() && last.slopes.solved.drives() && i > kMostSteps / 2)
+      if (next.slopes.solved.drives() && last.slopes.solved.drives() &&
+          i > kHeldRules.most_steps / 2)
         return {};
     }
     last = std::move(next);
@@ -118,14 +113,14 @@ std::optional<LoadedWave> LoadedWaves::near(const LoadedWave& known, double omeg
   const double slope = -known.torque_in_omega / known.torque_in_amplitude;
   LoadedWave w = at(known.amplitude + slope * (omega - known.omega), omega, &known);
   double last = HUGE_VAL;
-  for (int i = 0; i < kMostTries && w.ok(); ++i) {
+  for (int i = 0; i < kHeldRules.most_tries && w.ok(); ++i) {
     const double step = (torque_ - w.torque) / w.torque_in_amplitude;
     if (!(w.torque_in_amplitude > 0) || !(std::fabs(step) < last)) return {};
-    if (std::fabs(step) <= kSettled * w.amplitude) return w;
+    if (std::fabs(step) <= kHeldRules.settled * w.amplitude) return w;
     last = std::fabs(step);
     w = at(w.amplitude + step, omega, &w);
   }
   return {};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -5,7 +5,27 @@
 
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
+
+/// Every constant of the search for held points.
+struct HeldRules {
+  /// ln A from wave to wave below the first that carries the torque. Ripples of a layer that rings are longer.
+  double longest = 0.04, shortest = 2e-3;
+  /// The search begins where the stator's crest is as fast as the rotor, and ends at this many times that amplitude.
+  double farthest = 1e4;
+  int most_steps = 400, most_tries = 80;
+  /// Last step of A, and of omega, which is not solved again.
+  double settled = 1e-13;
+  /// T_p - T goes with the cube of A_p - A: closer to the plateau the amplitude is not determined.
+  double reach = 1 - 1e-6;
+  /// Of the torque's scale: a larger step of the torque between two amplitudes that rounding cannot part is a jump.
+  double jump = 1e-9;
+  /// Of A: where a peak of the torque is known well enough to tell whether it carries the load.
+  double peak = 1e-6;
+  /// Largest step of the frequency, of itself.
+  double longest_in_frequency = 0.05;
+};
+inline constexpr HeldRules kHeldRules{};
 
 /// A wave at a speed, with the derivatives of its torque and of its force from the drive in amplitude and frequency.
 struct LoadedWave {
@@ -43,4 +63,4 @@ class LoadedWaves {
   double torque_, speed_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

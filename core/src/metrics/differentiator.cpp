@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using M = Metric;
@@ -366,4 +366,4 @@ DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
   return driven ? wave_motion<contact::SpeedDual>(*model2_, p).of(f) : f;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 inline Smoothness worse(Smoothness a, Smoothness b) { return std::max(a, b); }
 
@@ -127,4 +127,4 @@ class Differentiator {
   std::vector<std::pair<double, Smoothness>> smoothness_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

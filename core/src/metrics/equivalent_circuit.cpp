@@ -16,7 +16,7 @@ constexpr double kFullTurn = 2 * std::numbers::pi;
 }  // namespace
 
 std::optional<EquivalentCircuit> equivalent_circuit(const MotorDesign& design) {
-  const auto modes = performance::stator_modes(design);
+  const auto modes = core::stator_modes(design);
   if (!modes) return {};
   const double scale = modes->force_factor * modes->force_factor;
   const double stiffness = modes->mass * modes->resonance * modes->resonance;

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 std::unique_ptr<const Curve> curve_of(const Motor& motor) {
@@ -154,4 +154,4 @@ void Evaluator::require_input(Metric metric, double speed) {
   if (!is_known(input, excess(n, speed))) throw SearchFailure{MetricStatus::inaccurate};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Values of metrics. What several of them need is found once. The members between the first and search() are what
 /// metric_row() is made of.
@@ -94,4 +94,4 @@ class Evaluator {
   std::deque<DrivenMotor<double>> motors_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using Gradient = std::array<double, kParameterCount>;
@@ -126,4 +126,4 @@ MetricDerivative HeldMetrics::differentiate(const MetricRequest& request,
   return result;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -6,9 +6,9 @@
 
 #include <deque>
 
-namespace twum::performance {
+namespace twum::core {
 
-/// Metrics where the drive holds a torque at a speed (Y2.1 to Y2.3): those of the motor under the held wave, at the speed. A wave
+/// Metrics where the drive holds a torque at a speed (Y2.5): those of the motor under the held wave, at the speed. A wave
 /// that several metrics need is found once.
 class HeldMetrics {
  public:
@@ -30,4 +30,4 @@ class HeldMetrics {
   std::deque<Known> known_;  // references stay valid
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 
 #include <twum/core/metrics.hpp>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A point metric from the numbers of a point (T7.1 to T7.9); S is double or carries derivatives. The one place for these
 /// formulas; a metric without its line does not compile (-Werror=switch).
@@ -245,4 +245,4 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
              : to.at(request.metric, to.fixed(request.at));
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

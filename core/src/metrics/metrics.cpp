@@ -8,7 +8,7 @@
 
 namespace twum {
 
-using namespace performance;
+using namespace core;
 
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   SpeedDerivative d;

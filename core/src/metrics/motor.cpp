@@ -30,17 +30,16 @@ std::string speed_text(double speed) {
 
 Motor::Motor(const MotorDesign& design) : design_(design) {
   require_motor(design);
-  if (const auto modes = performance::stator_modes(design))
-    modes_ = std::make_shared<const performance::StatorModes<double>>(*modes);
+  if (const auto modes = core::stator_modes(design))
+    modes_ = std::make_shared<const core::StatorModes<double>>(*modes);
   if (design.stator.voltage) {
-    drive_ = std::make_shared<const performance::Drive>(design);
-    model_ = std::make_shared<const performance::DrivenMotor<double>>(drive_->first_motor());
+    drive_ = std::make_shared<const core::Drive>(design);
+    model_ = std::make_shared<const core::DrivenMotor<double>>(drive_->first_motor());
     return;
   }
-  const auto values = performance::model_values(design);
-  model_ = std::make_shared<const performance::DrivenMotor<double>>(
-      driven(performance::motor_model(values, performance::track_rule(design)),
-             performance::design_wave(values)));
+  const auto values = core::model_values(design);
+  model_ = std::make_shared<const core::DrivenMotor<double>>(
+      driven(core::motor_model(values, core::track_rule(design)), core::design_wave(values)));
 }
 
 int Motor::radial_slices() const noexcept {
@@ -52,7 +51,7 @@ bool Motor::slices_settled() const noexcept { return model_->track.settled; }
 
 std::vector<double> Motor::slice_radii() const {
   std::vector<double> radii;
-  for (const performance::Slice<double>& slice : model_->slices()) radii.push_back(slice.radius);
+  for (const core::Slice<double>& slice : model_->slices()) radii.push_back(slice.radius);
   return radii;
 }
 
@@ -64,14 +63,14 @@ double Motor::crest_speed() const noexcept { return model_->crest_velocity / mod
 
 double Motor::wave_speed() const noexcept { return model_->omega / model_->kappa / model_->r; }
 
-double Motor::holding_torque() const noexcept { return performance::holding_torque(*model_); }
+double Motor::holding_torque() const noexcept { return core::holding_torque(*model_); }
 
-bool Motor::locks_at_rest() const noexcept { return performance::locks_at_rest(*model_); }
+bool Motor::locks_at_rest() const noexcept { return core::locks_at_rest(*model_); }
 
 namespace {
 
-void require_speed(const performance::DrivenMotor<double>& m, double speed) {
-  if (!performance::wave_meets_rotor(m, speed)) {
+void require_speed(const core::DrivenMotor<double>& m, double speed) {
+  if (!core::wave_meets_rotor(m, speed)) {
     throw InputError("rotor speed must be more than the wave's backward speed, " +
                      speed_text(-m.omega / m.kappa / m.r) + ", but is " + speed_text(speed));
   }
@@ -79,34 +78,32 @@ void require_speed(const performance::DrivenMotor<double>& m, double speed) {
 
 }  // namespace
 
-performance::MotorPoint Motor::solved(double speed) const {
+core::MotorPoint Motor::solved(double speed) const {
   require_speed(*model_, speed);
   if (drive_) return drive_->at(speed);
-  return {*model_, performance::solve_point(*model_, speed)};
+  return {*model_, core::solve_point(*model_, speed)};
 }
 
 OperatingPoint Motor::operating_point(double speed) const {
   require_speed(*model_, speed);
   if (!drive_)
-    return performance::operating_point_of(*model_, performance::solve_point(*model_, speed), speed,
-                                           modes());
-  const performance::MotorPoint at = drive_->at(speed);
-  return performance::operating_point_of(at.motor, at.solved, speed, modes());
+    return core::operating_point_of(*model_, core::solve_point(*model_, speed), speed, modes());
+  const core::MotorPoint at = drive_->at(speed);
+  return core::operating_point_of(at.motor, at.solved, speed, modes());
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   require_admissible(Parameter::amplitude, at.amplitude);
   require_admissible(Parameter::frequency, at.frequency);
-  const performance::DrivenMotor<double> m =
+  const core::DrivenMotor<double> m =
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);
-  return performance::operating_point_of(m, performance::solve_point(m, at.speed), at.speed,
-                                         modes());
+  return core::operating_point_of(m, core::solve_point(m, at.speed), at.speed, modes());
 }
 
 namespace {
 
-void require_on_track(const performance::DrivenMotor<double>& m, double radius) {
+void require_on_track(const core::DrivenMotor<double>& m, double radius) {
   const double slack = 1e-12 * m.r;  // of radii that were added and subtracted
   if (std::fabs(radius - m.r) <= 0.5 * m.b + slack) return;
   char text[120];
@@ -124,7 +121,7 @@ std::vector<Zone> Motor::zones(double speed, double radius) const {
   require_on_track(*model_, radius);
   const auto [motor, point] = solved(speed);
   if (point.status != PointStatus::ok) return {};
-  return performance::zones_at(motor, speed, radius);
+  return core::zones_at(motor, speed, radius);
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
@@ -136,26 +133,25 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
   require_on_track(*model_, radius);
   const auto [motor, point] = solved(speed);
-  ContactFields fields{
-      performance::operating_point_of(motor, point, speed, modes()), radius, {}, {}};
+  ContactFields fields{core::operating_point_of(motor, point, speed, modes()), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
-  fields.zones = performance::zones_at(motor, speed, radius);
-  fields.samples = performance::fields_at(motor, speed, radius, samples);
+  fields.zones = core::zones_at(motor, speed, radius);
+  fields.samples = core::fields_at(motor, speed, radius, samples);
   return fields;
 }
 
 BackwardWave Motor::backward_wave(double speed) const {
   require_speed(*model_, speed);
   const auto [motor, point] = solved(speed);
-  return performance::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
+  return core::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
 }
 
 std::vector<WaveState> Motor::wave_states(double speed) const {
   require_speed(*model_, speed);
   std::vector<WaveState> states;
   if (!drive_) return states;
-  for (const performance::WaveSolution& s : drive_->solutions(speed)) {
-    const performance::WaveBalance<double>& b = s.wave().balance;
+  for (const core::WaveSolution& s : drive_->solutions(speed)) {
+    const core::WaveBalance<double>& b = s.wave().balance;
     states.push_back({s.wave().amplitude, std::atan2(b.imaginary, b.real), s.stability.determinant,
                       s.stability.trace, s.stability.stable(), s.running()});
   }

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::kInAmplitude;
@@ -112,4 +112,4 @@ CurveSlope DrivenCurve::slope(double speed, const WarmStart*) const {
       at.solved.start()};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// What a metric says that needs a point without an answer.
 MetricStatus metric_status(PointStatus status);
@@ -44,4 +44,4 @@ class DrivenCurve final : public Curve {
   const Drive& drive_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// The contact's scalar that goes with a model scalar.
 template <typename S>
@@ -62,4 +62,4 @@ S chained(const K& f, const std::array<S, 7>& x) {
   return r;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A slice with its numbers in another scalar.
 template <typename T, typename S, typename F>
@@ -49,4 +49,4 @@ DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
   return r;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

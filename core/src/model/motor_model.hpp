@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A value for each of kModelParameters, in their order, and for what more there is of a shape.
 template <typename S>
@@ -358,4 +358,4 @@ S track_area(const DrivenMotor<S>& m) {
   return 2 * std::numbers::pi * m.r * m.b;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

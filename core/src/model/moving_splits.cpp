@@ -6,7 +6,7 @@
 #include "model/track.hpp"
 #include "model/zone_splits.hpp"
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::MotionDual;
@@ -68,4 +68,4 @@ template std::vector<SplitPlace<ModelDual2>> moving_splits(const DrivenMotor<Mod
                                                            const ModelDual2&,
                                                            std::span<const Split>);
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Differences between the phases and between the modes (D6.1, D6.5).
 template <typename S>
@@ -224,4 +224,4 @@ SensorSignal<S> sensor_signal(const StatorModes<S>& m, const WaveBalance<S>& w, 
           argument(S(sign * inverse.real), S(sign * inverse.imaginary))};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using std::numbers::pi;
@@ -286,4 +286,4 @@ TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(contact::MotionDual, contact::MotionDual)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::performance
+}  // namespace twum::core

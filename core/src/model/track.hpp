@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// R - 1 of a mode (P8.1).
 /// @param place  from the mean radius, in half widths of the track
@@ -52,4 +52,4 @@ S largest_pressure(const DrivenMotor<S>& m);
 template <typename S>
 S pressure_nonuniformity(const DrivenMotor<S>& m);
 
-}  // namespace twum::performance
+}  // namespace twum::core

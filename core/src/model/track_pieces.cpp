@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times at most
@@ -58,4 +58,4 @@ std::vector<double> radii_between_turns(const DrivenMotor<double>& m) {
   return radii;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

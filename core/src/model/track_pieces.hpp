@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// What happens at a radius: the crest leaves the rotor (w = 0 in W2.2), or the valley of the wave reaches it (w = 2).
 inline constexpr double kLiftOff = 0, kFull = 2;
@@ -173,4 +173,4 @@ class Track {
   std::vector<double> radii_;
 };
 
-}  // namespace twum::performance
+}  // namespace twum::core

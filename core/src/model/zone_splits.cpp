@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 // Lengths along the track are in parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4): a split that
@@ -394,4 +394,4 @@ bool change_at_splits(const DrivenMotor<double>& m, const std::vector<Split>& sp
   return true;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// What a slice's zones tell of those beside it.
 struct SliceZones {
@@ -53,4 +53,4 @@ bool change_at_splits(const DrivenMotor<double>& motor, const std::vector<Split>
                       std::span<const Slice<double>> slices,
                       const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
 
-}  // namespace twum::performance
+}  // namespace twum::core

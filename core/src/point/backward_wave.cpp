@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -132,4 +132,4 @@ DisturbedContact<S> moved_contact(const DrivenMotor<S>& m, const S& speed,
 template DisturbedContact<ModelDual> moved_contact(const DrivenMotor<ModelDual>&, const ModelDual&,
                                                    const DisturbedContact<double>&);
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// A zone of a contact that a small backward wave disturbs.
 template <typename S>
@@ -136,4 +136,4 @@ FreeBackwardWave<S> free_backward_wave(const DisturbedContact<S>& contact,
   return {frequency, stiffness.imaginary / (twice * frequency) - modes.damping / twice};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

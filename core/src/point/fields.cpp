@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -192,4 +192,4 @@ std::vector<FieldSample> fields_at(const DrivenMotor<double>& m, double speed, d
   return result;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 // Made once: points are many.
@@ -95,7 +95,7 @@ BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& s
   return wave;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core
 
 namespace twum {
 
@@ -117,19 +117,19 @@ const char* to_string(PointStatus status) noexcept {
 
 double OperatingPoint::contact_efficiency() const noexcept {
   const double excess = stator_power - output_power - friction_power - layer_loss;
-  return performance::is_known(stator_power, excess) ? output_power / stator_power : kNoValue;
+  return core::is_known(stator_power, excess) ? output_power / stator_power : kNoValue;
 }
 
 double OperatingPoint::overall_efficiency() const noexcept {
   const double excess = stator_power - output_power - friction_power - layer_loss;
-  if (!performance::is_known(electrical_power, excess)) return kNoValue;
+  if (!core::is_known(electrical_power, excess)) return kNoValue;
   return output_power > 0 ? output_power / electrical_power : 0;
 }
 
 double OperatingPoint::efficiency() const noexcept {
   const double input = stator_power + stator_loss;
   const double excess = stator_power - output_power - friction_power - layer_loss;
-  return performance::is_known(input, excess) ? output_power / input : kNoValue;
+  return core::is_known(input, excess) ? output_power / input : kNoValue;
 }
 
 }  // namespace twum

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::LayerMotion;
@@ -384,4 +384,4 @@ template PointNumbers<contact::MotionDual> locked_slice(const DrivenMotor<contac
 template PointNumbers<contact::MotionDual> special_point(const DrivenMotor<contact::MotionDual>&,
                                                          const contact::MotionDual&);
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::performance {
+namespace twum::core {
 
 /// Numbers of an operating point, or of a slice of it, in S; the other powers follow from these (T7.1).
 template <typename S>
@@ -295,4 +295,4 @@ PointNumbers<R> slice_numbers(const DrivenMotor<S>& m, const Slice<S>& s,
           s.pressure_force + s.force_scale * means.reactive_force};
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -12,7 +12,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -248,4 +248,4 @@ TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::performance
+}  // namespace twum::core

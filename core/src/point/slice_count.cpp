@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <numbers>
 
-namespace twum::performance {
+namespace twum::core {
 namespace {
 
 constexpr double kStates = 1e-9;  // of the periodic states, far less than what is wanted
@@ -121,4 +121,4 @@ TrackRule track_rule(const MotorDesign& design) {
   return rule;
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::performance {
+namespace twum::core {
 
 using contact::LayerMotion;
 
@@ -101,4 +101,4 @@ bool SolvedPoint::follow(const DrivenMotor<double>& m, double speed,
                                                        queries(m, slices, speed, layer, 0));
 }
 
-}  // namespace twum::performance
+}  // namespace twum::core

@@ -9,7 +9,7 @@
 #include <limits>
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 
 namespace {
 

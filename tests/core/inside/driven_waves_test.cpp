@@ -9,7 +9,7 @@
 #include <vector>
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 using namespace twum::test;
 
 namespace {

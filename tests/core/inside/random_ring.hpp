@@ -3,7 +3,7 @@
 
 #include "random_contact.hpp"
 
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/motor_design.hpp>
 
 #include <cmath>
 

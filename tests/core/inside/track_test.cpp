@@ -11,7 +11,7 @@
 #include <numbers>
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 using namespace twum::test;
 
 namespace {

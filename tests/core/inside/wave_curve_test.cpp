@@ -13,7 +13,7 @@
 namespace {
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 using namespace twum::test;
 
 // The largest wave that drives the rotor, by a scan of the force over the amplitude in steps of 1 %: H rises through the drive's

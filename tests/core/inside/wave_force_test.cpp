@@ -67,7 +67,7 @@ TEST_CASE("zones of slip (D1.7) and stick (D1.8) add the integral of t sin theta
 
 TEST_CASE("the pressure's force grows with the amplitude as (C20.1) says",
           "[core][wave_force][derivative]") {
-  using namespace performance;
+  using namespace core;
   const int amplitude = static_cast<int>(model_index(Parameter::amplitude));
   for (const double load : {0.9, 0.3, 0.02, 1e-3}) {
     MotorDesign design;
@@ -85,7 +85,7 @@ TEST_CASE("the pressure's force grows with the amplitude as (C20.1) says",
 
 TEST_CASE("the reactive force has the derivatives of its differences",
           "[core][wave_force][derivative]") {
-  using namespace performance;
+  using namespace core;
   const auto force = [](const MotorDesign& design, double speed) {
     const ModelArray<double> p = model_values(design);
     const DrivenMotor<double> m = driven(motor_model(p), design_wave(p));

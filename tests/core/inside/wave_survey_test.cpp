@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/drive/drive.hpp"
+#include "drive/drive.hpp"
 #include "random_ring.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <twum/core/performance/frequency_response.hpp>
+#include <twum/core/frequency_response.hpp>
 
 #include <cmath>
 #include <utility>
@@ -13,7 +13,7 @@
 namespace {
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 using namespace twum::test;
 
 // One slice, and eight for every tenth motor.

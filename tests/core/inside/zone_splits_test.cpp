@@ -14,7 +14,7 @@
 #include <vector>
 
 using namespace twum;
-using namespace twum::performance;
+using namespace twum::core;
 
 namespace {
 

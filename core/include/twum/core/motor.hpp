@@ -10,14 +10,14 @@
 
 namespace twum {
 
-namespace performance {
+namespace core {
 template <typename S>
 struct DrivenMotor;
 template <typename S>
 struct StatorModes;
 class Drive;
 struct MotorPoint;
-}  // namespace performance
+}  // namespace core
 
 /// A motor: its design and everything that follows from the design alone. Immutable, so any number of threads may use
 /// one Motor.
@@ -99,20 +99,20 @@ class Motor {
   std::vector<WaveState> wave_states(double speed) const;
 
   /// The drive of a motor under a voltage, else null. Internal.
-  const performance::Drive* drive() const noexcept { return drive_.get(); }
+  const core::Drive* drive() const noexcept { return drive_.get(); }
   /// The modes of the stator, null without modal data. Internal.
-  const performance::StatorModes<double>* modes() const noexcept { return modes_.get(); }
+  const core::StatorModes<double>* modes() const noexcept { return modes_.get(); }
   /// The model of the motor. Internal.
-  const performance::DrivenMotor<double>& model() const noexcept { return *model_; }
+  const core::DrivenMotor<double>& model() const noexcept { return *model_; }
 
  private:
-  performance::MotorPoint solved(double speed) const;
+  core::MotorPoint solved(double speed) const;
 
   MotorDesign design_;
   // Immutable, shared by copies.
-  std::shared_ptr<const performance::StatorModes<double>> modes_;
-  std::shared_ptr<const performance::Drive> drive_;
-  std::shared_ptr<const performance::DrivenMotor<double>> model_;
+  std::shared_ptr<const core::StatorModes<double>> modes_;
+  std::shared_ptr<const core::Drive> drive_;
+  std::shared_ptr<const core::DrivenMotor<double>> model_;
 };
 
 /// Operating points at the given speeds [rad/s], in their order. About a microsecond each.
