@@ -82,16 +82,4 @@ std::vector<Activity> report_limits(const Problem& problem, const Scaling& scali
   return report;
 }
 
-const char* to_string(Degeneracy degeneracy) {
-  switch (degeneracy) {
-    case Degeneracy::flat_direction: return "flat-direction";
-    case Degeneracy::flat_objective: return "flat-objective";
-    case Degeneracy::dependent_constraints: return "dependent-constraints";
-    case Degeneracy::kink: return "kink";
-    case Degeneracy::negative_curvature: return "negative-curvature";
-    case Degeneracy::undefined_gradient: return "undefined-gradient";
-  }
-  return "unknown";
-}
-
 }  // namespace twum::optim
