@@ -43,13 +43,40 @@ class Holding {
     const bool may_exceed = waves_.has_static_excess() || waves_.model().inertia > 0;
     if (!may_exceed && loaded_.torque() > kHeldRules.reach * loaded_.plateau())
       return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
+    if (control_ == DriveControl::frequency)
+      if (auto wave = loaded_.near_smallest(waves_.omega()))
+        if (auto held = by_newton(std::move(*wave))) return *held;
     auto wave = loaded_.smallest(waves_.omega());
     if (!wave) return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
-    if (control_ == DriveControl::frequency) return at_frequency(std::move(*wave));
-    return told(*wave);
+    return control_ == DriveControl::frequency ? at_frequency(std::move(*wave)) : told(*wave);
   }
 
  private:
+  // (Y2.1) and (Y2.3) together by Newton's method. Nothing where that does not lead straight to both, or the voltage is too low.
+  std::optional<HeldPoint> by_newton(LoadedWave w) const {
+    const double drive = waves_.drive();
+    double last = HUGE_VAL;
+    for (int i = 0; i < kHeldRules.most_newtons; ++i) {
+      const double square = drive * drive - w.force.imaginary * w.force.imaginary;
+      if (!(square > 0)) return {};
+      const double flank = std::sqrt(square), slope = w.force.imaginary / flank;
+      const double gap = w.force.real + flank, missing = loaded_.torque() - w.torque;
+      const double in_amplitude = w.in_amplitude.real - slope * w.in_amplitude.imaginary,
+                   in_omega = w.in_omega.real - slope * w.in_omega.imaginary;
+      const double determinant =
+          w.torque_in_amplitude * in_omega - w.torque_in_omega * in_amplitude;
+      const double grown = (missing * in_omega + gap * w.torque_in_omega) / determinant,
+                   raised = (-gap * w.torque_in_amplitude - missing * in_amplitude) / determinant;
+      const double size = std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega);
+      if (size <= kHeldRules.settled) return told(w);
+      if (!(size < last) || !(size < kHeldRules.longest_newton)) return {};
+      last = size;
+      w = loaded_.at(w.amplitude + grown, w.omega + raised, &w);
+      if (!w.ok() || !(w.torque_in_amplitude > 0)) return {};
+    }
+    return {};
+  }
+
   // (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the
   // torque. Without enough voltage it leads to R = 0, where the least is needed.
   HeldPoint at_frequency(LoadedWave w) const {

@@ -36,7 +36,8 @@ LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* nea
 }
 
 // Newton's method in a bracket, halving where it leaves it.
-std::optional<LoadedWave> LoadedWaves::between(LoadedWave low, LoadedWave high) const {
+std::optional<LoadedWave> LoadedWaves::between(Bracket ends) const {
+  auto& [low, high] = ends;
   LoadedWave w = high;
   for (int i = 0; i < kHeldRules.most_tries; ++i) {
     double next = w.amplitude + (torque_ - w.torque) / w.torque_in_amplitude;
@@ -76,7 +77,7 @@ std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
 }
 
 // From the amplitude on at which the stator's crest is as fast as the rotor, where the contact only brakes.
-std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
+std::optional<LoadedWaves::Bracket> LoadedWaves::first_bracket(double omega) const {
   const double least = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
   LoadedWave last = at(least, omega);
   const bool monotone = is_monotone();
@@ -89,9 +90,9 @@ std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
       last = std::move(next);
       continue;
     }
-    if (next.torque >= torque_) return last.torque < torque_ ? between(last, next) : next;
+    if (next.torque >= torque_) return Bracket{std::move(last), std::move(next)};
     if (!monotone) {
-      if (auto peak = peak_between(last, next)) return between(last, *peak);
+      if (auto peak = peak_between(last, next)) return Bracket{std::move(last), std::move(*peak)};
       const double left = (torque_ - next.torque) / (next.torque_in_amplitude * next.amplitude);
       step = left > 0 ? std::clamp(0.5 * left, kHeldRules.shortest, kHeldRules.longest)
                       : kHeldRules.longest;
@@ -106,7 +107,18 @@ std::optional<LoadedWave> LoadedWaves::first_carrying(double omega) const {
 }
 
 std::optional<LoadedWave> LoadedWaves::smallest(double omega) const {
-  return first_carrying(omega);
+  auto ends = first_bracket(omega);
+  return ends ? between(std::move(*ends)) : std::nullopt;
+}
+
+// Below the load, as the torque bends towards its plateau: from there Newton's method does not leave the branch.
+std::optional<LoadedWave> LoadedWaves::near_smallest(double omega) const {
+  auto ends = first_bracket(omega);
+  if (!ends) return {};
+  auto& [low, high] = *ends;
+  const double share = (torque_ - low.torque) / (high.torque - low.torque);
+  LoadedWave w = at(low.amplitude + share * (high.amplitude - low.amplitude), omega, &high);
+  return w.ok() && w.torque_in_amplitude > 0 ? std::optional(std::move(w)) : std::nullopt;
 }
 
 std::optional<LoadedWave> LoadedWaves::near(const LoadedWave& known, double omega) const {

@@ -15,13 +15,16 @@ struct HeldRules {
   double farthest = 1e4;
   int most_steps = 400, most_tries = 80;
   /// Last step of A, and of omega, which is not solved again.
-  double settled = 1e-13;
+  double settled = 1e-12;
   /// T_p - T goes with the cube of A_p - A: closer to the plateau the amplitude is not determined.
   double reach = 1 - 1e-6;
   /// Of the torque's scale: a larger step of the torque between two amplitudes that rounding cannot part is a jump.
   double jump = 1e-9;
   /// Of A: where a peak of the torque is known well enough to tell whether it carries the load.
   double peak = 1e-6;
+  /// Newton's steps for amplitude and frequency together, and the longest of them, of themselves.
+  int most_newtons = 12;
+  double longest_newton = 0.5;
   /// Largest step of the frequency, of itself.
   double longest_in_frequency = 0.05;
 };
@@ -50,13 +53,19 @@ class LoadedWaves {
   LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
   /// The wave of the smallest amplitude that carries the torque at a frequency (Y2.1); nothing if none does.
   std::optional<LoadedWave> smallest(double omega) const;
+  /// A wave near it, from which Newton's method leads there.
+  std::optional<LoadedWave> near_smallest(double omega) const;
   /// The same near a wave that is known, by Newton's method; nothing if that leads elsewhere.
   std::optional<LoadedWave> near(const LoadedWave& known, double omega) const;
 
  private:
-  std::optional<LoadedWave> between(LoadedWave low, LoadedWave high) const;
+  /// Two waves between which the torque reaches the load.
+  struct Bracket {
+    LoadedWave low, high;
+  };
+  std::optional<LoadedWave> between(Bracket ends) const;
   std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
-  std::optional<LoadedWave> first_carrying(double omega) const;
+  std::optional<Bracket> first_bracket(double omega) const;
   bool is_monotone() const;
 
   const DrivenWaves& waves_;
