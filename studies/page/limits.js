@@ -34,7 +34,7 @@ function placeOn(standing, column, curve, unit) {
   }
   if (named.metric === 'speed_at' && column === 'torque')
     return {x: value / rpm, y: named.at / unit.divisor, upright: true};
-  if (named.metric !== column + '_at') return null;
+  if (named.metric !== column + '_at' || named.argument === 'both') return null;
   const speed = named.argument === 'speed' ? named.at : speedAt(curve, named.at);
   return Number.isFinite(speed) ? {x: speed / rpm, y: value / unit.divisor, upright: false} : null;
 }

@@ -29,6 +29,8 @@ export function plain(name) {
   const known = data.names[name];
   if (!known) return ownName(name);
   if (known.statistic) return statisticWords(known);
+  if (known.argument === 'both')
+    return `${shortName(known.metric)} ${engineering(known.torque, 'N.m')}, ${engineering(known.at, 'rad/s')}`;
   if (known.metric) return shortName(known.metric) + ' ' + engineering(known.at, argumentUnits[known.argument]);
   return limitWords(name);
 }

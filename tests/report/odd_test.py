@@ -68,7 +68,8 @@ class Odd(Study):
         # What a reason means is said with the words that the program has for it.
         meanings = self.browser.value("data.reasons")
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",
-                                        "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "backward-wave-unknown", "does-not-pull-out"})
+                                        "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "backward-wave-unknown", "does-not-pull-out",
+                                        "torque-out-of-reach", "voltage-too-low", "amplitude-too-low", "outside-frequency-range"})
         self.assertEqual(self.lines("[data-table=failures] td")[:2], ["no-periodic-state", meanings["no-periodic-state"]])
 
     def test_points_of_curves_are_not_counted_as_motors(self):

@@ -51,6 +51,18 @@ const Bad kBad[] = {
      "torque_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm'"},
     {"stall_torque(100 rpm)", 12,
      "'stall_torque' takes nothing in parentheses; write it without parentheses"},
+    {"drive_voltage_at(100 rpm)", 25,
+     "'drive_voltage_at(100 rpm)' needs a torque and a speed; expected one such as "
+     "'drive_voltage_at(0.5 N.m, 100 rpm)'"},
+    {"torque_at(0.5 N.m, 100 rpm)", 19,
+     "torque_at takes a speed alone; write 'torque_at(100 rpm)'"},
+    {"efficiency_at(90 rpm, 100 rpm)", 22,
+     "efficiency_at takes one torque and one speed, but both are speeds; write "
+     "'efficiency_at(0.5 N.m, 100 rpm)'"},
+    {"efficiency_at(90 rpm, 5 N)", 22,
+     "efficiency_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm', or "
+     "a "
+     "torque [N.m] such as '0.5 N.m'"},
     {"preload(100 rpm)", 7,
      "'preload' is a parameter and takes nothing in parentheses; write it without parentheses"},
 };
@@ -68,6 +80,18 @@ TEST_CASE("the unit of a point metric's argument tells speed from torque", "[stu
   CHECK(at_torque.argument == Argument::torque);
   CHECK(at_torque.at == 0.5);
   CHECK(request("stall_torque").argument == Argument::none);
+}
+
+TEST_CASE("a torque and a speed stand in either order, and the drive follows",
+          "[studies][metrics]") {
+  const MetricRequest held{Metric::electrical_power_at, Argument::both, 10, 0.5};
+  CHECK(request("electrical_power_at(0.5 N.m, 10 rad/s)") == held);
+  CHECK(request("electrical_power_at( 10 rad/s ,500 mN.m )") == held);
+  const auto two =
+      parse_metric_list("drive_frequency_at(0.5 N.m, 100 rpm), drive_voltage_at(1 N.m, 10 rpm)");
+  REQUIRE(two.size() == 2);
+  CHECK(two[1].request()->torque == 1.0);
+  CHECK(two[0].unit() == "Hz");
 }
 
 TEST_CASE("a parameter may stand where a metric may", "[studies][metrics]") {
@@ -97,6 +121,8 @@ TEST_CASE("every metric of the table can be written and read", "[studies][metric
     const std::string name(row.name);
     if (row.argument == Argument::none) {
       CHECK_NOTHROW(parse_metric(name));
+    } else if (row.argument == Argument::both) {
+      CHECK_NOTHROW(parse_metric(name + "(1 N.m, 1 rad/s)"));
     } else {
       if (row.argument != Argument::torque) CHECK_NOTHROW(parse_metric(name + "(1 rad/s)"));
       if (row.argument != Argument::speed) CHECK_NOTHROW(parse_metric(name + "(1 N.m)"));

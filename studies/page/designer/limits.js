@@ -144,7 +144,9 @@ export class LimitsEditor {
     const {metrics} = this.panel.tables;
     this.metric =
         el('select', {'aria-label': 'metric of a new limit'},
-           Object.keys(metrics).map((name) => el('option', {value: name}, shortName(name))));
+           Object.keys(metrics)
+               .filter((name) => metrics[name].argument !== 'both')
+               .map((name) => el('option', {value: name}, shortName(name))));
     this.at = this.text('speed or torque at which the limit holds');
     this.sense =
         el('select', {'aria-label': 'sense of a new limit'}, el('option', {value: '>='}, 'at least'),

@@ -36,6 +36,11 @@ Json statistic_name(const StatisticRequest& statistic) {
 Json metric_name(const MetricExpression& expression) {
   const MetricRequest* request = expression.request();
   if (request == nullptr || request->argument == Argument::none) return nullptr;
+  if (request->argument == Argument::both)
+    return {{"metric", info(request->metric).name},
+            {"argument", "both"},
+            {"at", request->at},
+            {"torque", request->torque}};
   return {{"metric", info(request->metric).name},
           {"argument", request->argument == Argument::speed ? "speed" : "torque"},
           {"at", request->at}};

@@ -170,6 +170,12 @@ class ColumnReader {
     auto* request = std::get_if<MetricRequest>(&column.reading);
     if (request == nullptr || request->argument == Argument::none) return;
     const Argument takes = request->argument;
+    if (takes == Argument::both) {
+      diagnostics_.add(column.mark, column.name,
+                       "belongs to a torque that the drive holds at a speed",
+                       "leave it out: a table gives one of the two for each point");
+      return;
+    }
     const bool torque = has("torque") && !has_speed_;
     if (has_speed_ && takes != Argument::torque)
       request->argument = Argument::speed;
