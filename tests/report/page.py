@@ -72,7 +72,7 @@ class Page(unittest.TestCase):
 
     def barriers(self):
         """What axe-core finds on the page that keeps people from using it: rules of WCAG 2.2 A and AA and of good practice."""
-        self.browser.value((ROOT / "tests/report/axe-core/axe.min.js").read_text() + "; true")
+        self.browser.value((ROOT / "tests/third_party/axe-core/axe.min.js").read_text() + "; true")
         return self.browser.value("axe.run(document).then(r => r.violations.map(v => [v.id, v.help, v.nodes.map(n => n.target.join(' ')).slice(0, 3)]))")
 
     def table(self, name):

@@ -45,6 +45,7 @@ struct MetricRequest {
   double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
   double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
 
+  /// True if both ask the same.
   bool operator==(const MetricRequest&) const = default;
 };
 
