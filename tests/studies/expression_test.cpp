@@ -59,8 +59,8 @@ const Bad kBad[] = {
     {"efficiency_at(90 rpm, 100 rpm)", 22,
      "efficiency_at takes one torque and one speed, but both are speeds; write "
      "'efficiency_at(0.5 N.m, 100 rpm)'"},
-    {"efficiency_at(90 rpm, 5 N)", 22,
-     "efficiency_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm', or "
+    {"efficiency_at(90 rpm, 5 N)", 24,
+     "efficiency_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm' or "
      "a "
      "torque [N.m] such as '0.5 N.m'"},
     {"preload(100 rpm)", 7,

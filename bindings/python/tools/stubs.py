@@ -19,7 +19,10 @@ def point_metric(row):
             ("self, speed: _Quantity, *, torque: None = ...", "float"),
             ("self, speed: _Numbers, *, torque: None = ...", "NDArray[np.float64]"),
             ("self, speed: None = ..., *, torque: _Quantity", "float"),
-            ("self, speed: None = ..., *, torque: _Numbers", "NDArray[np.float64]")))
+            ("self, speed: None = ..., *, torque: _Numbers", "NDArray[np.float64]"),
+            ("self, speed: _Quantity, *, torque: _Quantity", "float")))
+    if row["takes"] == "torque and speed":
+        return f"    def {name}(self, torque: _Quantity, speed: _Quantity) -> float: ...\n"
     return (f"    @overload\n    def {name}(self, {row['takes']}: _Quantity) -> float: ...\n"
             f"    @overload\n    def {name}(self, {row['takes']}: _Numbers) -> NDArray[np.float64]: ...\n")
 
