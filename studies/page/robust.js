@@ -11,7 +11,7 @@ import {barRows} from './sensitivity.js';
 import {named, table} from './table.js';
 import {upright} from './uncertainty.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
-import {axisLabel, goalText, goalValue, limitWords, plain} from './words.js';
+import {axisLabel, goalText, goalValue, limitWords, plain, withArticle} from './words.js';
 
 /** "99.16 % of the motors keep all limits (99.06 % to 99.24 % by 40000 new random motors)" */
 export function yieldWords(y) {
@@ -45,8 +45,8 @@ function robustCard() {
     const pass =
         r.nominal.yield === null ? '' : ', but only ' + percent(r.nominal.yield, 2) + ' of its motors would pass';
     lines.push(
-        'Without tolerances the optimum has a ' + plain(goal.metric) + ' of ' + goalText(goal, r.nominal.objective) +
-        pass + '. The tolerances cost ' + goalText(goal, r.price, 3) + ' (' + share + ').');
+        'Without tolerances the optimum has ' + withArticle(goal.metric) + ' of ' +
+        goalText(goal, r.nominal.objective) + pass + '. The tolerances cost ' + goalText(goal, r.price, 3) + ' (' + share + ').');
   }
   if (lines.length)
     card('Against the optimum without tolerances', null, 'wide', ...lines.map((line) => sentence(line)));

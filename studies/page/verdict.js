@@ -17,7 +17,8 @@ import {
   limitWords,
   memberText,
   plain,
-  rangeWords
+  rangeWords,
+  withArticle
 } from './words.js';
 
 function endWords(end, limit) { return rangeWords(end.variable, end.side === 'upper' ? 'at most' : 'at least', limit); }
@@ -83,8 +84,8 @@ function searchVerdict() {
   const now = goalValue(summary.best, goal);
   const before = goalValue(summary.before, goal);
   const change = before === null ? '' : ', against ' + goalText(goal, before) + ' before' + changeWords(now, before);
-  const answer =
-      sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(goalText(goal, now)), change, '.');
+  const answer = sentence(
+      'The best design found has ' + withArticle(goal.metric) + ' of ', bold(goalText(goal, now)), change, '.');
   const stops = holderLines(summary.best, data.standings.best, [goal])[0];
   const second = summary.robust ? yieldSentence() :
       stops                     ? sentence('What stops it most: ', ...stops) :

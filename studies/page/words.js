@@ -35,6 +35,12 @@ export function plain(name) {
   return limitWords(name);
 }
 
+/** The same behind its article: "a peak power", "an output power". */
+export function withArticle(name) {
+  const words = plain(name);
+  return (/^[aeio]/i.test(words) ? 'an ' : 'a ') + words;
+}
+
 const argumentUnits = {
   speed: 'rad/s',
   torque: 'N.m'
@@ -138,7 +144,7 @@ function wholeLine(end, goal, standings) {
   const best = goal ? bestWith(end.name, end.inner, goal, standings) : null;
   const seen = rows.every > 1 ? 'The best on this page with ' : 'The best that the search saw with ';
   const told = best === null ? 'Try a wider range.' :
-                               seen + end.inner + ' has a ' + plain(goal.metric) + ' of ' + goalText(goal, best) +
+                               seen + end.inner + ' has ' + withArticle(goal.metric) + ' of ' + goalText(goal, best) +
           '; try a wider range to see whether this continues.';
   return [bold(end.words), ': whole numbers have no slope. ' + told];
 }

@@ -128,7 +128,7 @@ TEST_CASE("of several amplitudes that carry a torque the smallest is the answer 
 
 TEST_CASE("a held wave put back carries its torque (Y2.1)", "[core][held][identity]") {
   const MotorDesign drive = test::driven_motor_with_layer();
-  for (const double torque : {-0.1, 0.0, 0.3, 0.6}) {
+  for (const double torque : {-1.0, -0.5, -0.1, 0.0, 0.3, 0.6}) {
     for (const double speed : {2.0, 8.0, 14.0}) {
       for (const DriveControl control :
            {DriveControl::amplitude, DriveControl::voltage, DriveControl::frequency}) {
@@ -176,6 +176,12 @@ TEST_CASE("what the drive cannot hold has a status with the value that would do"
   const double largest = 0.23 * 170 * design.stator.contact_radius;
   CHECK(held_point(design, 1.01 * largest, 5).status == HeldStatus::torque_out_of_reach);
   CHECK(held_point(design, 1.01 * largest, 5).needed == Approx(largest).epsilon(1e-12));
+  // A load that drives the rotor is braked by friction, and by no more.
+  const HeldPoint driven = held_point(design, -1.01 * largest, 5);
+  CHECK(driven.status == HeldStatus::torque_out_of_reach);
+  CHECK(driven.needed == Approx(-largest).epsilon(1e-12));
+  const MotorDesign slippery = with(design, Parameter::kinetic_friction, 0);
+  CHECK(held_point(slippery, 0, 5).status == HeldStatus::torque_out_of_reach);
   const HeldPoint held = held_point(design, 0.5, 9);
   REQUIRE(held.status == HeldStatus::ok);
   design.stator.frequency_range = {1.001 * held.frequency, 1.1 * held.frequency};

@@ -63,6 +63,10 @@ const Bad kBad[] = {
      "efficiency_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm' or "
      "a "
      "torque [N.m] such as '0.5 N.m'"},
+    {"amplitude_at(0 rpm, 0.5 N.m)", 13,
+     "amplitude_at: a drive holds a torque at a speed of more than 0 rpm; at rest friction holds "
+     "it "
+     "without a wave; give a speed such as '100 rpm'"},
     {"preload(100 rpm)", 7,
      "'preload' is a parameter and takes nothing in parentheses; write it without parentheses"},
 };

@@ -40,14 +40,18 @@ class Holding {
         control_(control) {}
 
   HeldPoint held() const {
-    const bool may_exceed = waves_.has_static_excess() || waves_.model().inertia > 0;
-    if (!may_exceed && loaded_.torque() > kHeldRules.reach * loaded_.plateau())
-      return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
+    const double torque = loaded_.torque(), most = loaded_.plateau();
+    const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
+    if (!transmitted && !waves_.has_static_excess())
+      return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
+    const auto [ends, lost] = loaded_.first_reached(waves_.omega());
+    if (!ends)
+      return lost ? without_wave(HeldStatus::no_periodic_state)
+                  : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
-      if (auto wave = loaded_.near_smallest(waves_.omega()))
-        if (auto held = by_newton(std::move(*wave))) return *held;
-    auto wave = loaded_.smallest(waves_.omega());
-    if (!wave) return without_wave(HeldStatus::torque_out_of_reach, loaded_.plateau());
+      if (const auto held = by_newton(loaded_.within(*ends))) return *held;
+    auto wave = loaded_.settled(*ends);
+    if (!wave) return without_wave(HeldStatus::no_periodic_state);
     return control_ == DriveControl::frequency ? at_frequency(std::move(*wave)) : told(*wave);
   }
 
@@ -56,7 +60,7 @@ class Holding {
   std::optional<HeldPoint> by_newton(LoadedWave w) const {
     const double drive = waves_.drive();
     double last = HUGE_VAL;
-    for (int i = 0; i < kHeldRules.most_newtons; ++i) {
+    for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
       const double square = drive * drive - w.force.imaginary * w.force.imaginary;
       if (!(square > 0)) return {};
       const double flank = std::sqrt(square), slope = w.force.imaginary / flank;
@@ -72,7 +76,6 @@ class Holding {
       if (!(size < last) || !(size < kHeldRules.longest_newton)) return {};
       last = size;
       w = loaded_.at(w.amplitude + grown, w.omega + raised, &w);
-      if (!w.ok() || !(w.torque_in_amplitude > 0)) return {};
     }
     return {};
   }
@@ -99,8 +102,10 @@ class Holding {
           return without_wave(HeldStatus::voltage_too_low, rms_of(std::fabs(w.force.imaginary)));
         return told(w);
       }
-      auto next = loaded_.near(w, w.omega + step);
-      if (!next) next = loaded_.smallest(w.omega + step);
+      auto next = loaded_.followed(w, w.omega + step);
+      if (!next)
+        if (auto ends = loaded_.first_reached(w.omega + step).found)
+          next = loaded_.settled(std::move(*ends));
       if (!next) return without_wave(HeldStatus::no_periodic_state);
       w = std::move(*next);
     }

@@ -36,7 +36,7 @@ LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* nea
 }
 
 // Newton's method in a bracket, halving where it leaves it.
-std::optional<LoadedWave> LoadedWaves::between(Bracket ends) const {
+std::optional<LoadedWave> LoadedWaves::settled(Bracket ends) const {
   auto& [low, high] = ends;
   LoadedWave w = high;
   for (int i = 0; i < kHeldRules.most_tries; ++i) {
@@ -76,52 +76,57 @@ std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
   return {};
 }
 
-// From the amplitude on at which the stator's crest is as fast as the rotor, where the contact only brakes.
-std::optional<LoadedWaves::Bracket> LoadedWaves::first_bracket(double omega) const {
-  const double least = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
-  LoadedWave last = at(least, omega);
-  const bool monotone = is_monotone();
-  double step = monotone ? 4 * kHeldRules.longest : kHeldRules.longest;
-  for (int i = 0; i < kHeldRules.most_steps; ++i) {
-    LoadedWave next = at(last.amplitude * std::exp(step), omega, last.ok() ? &last : nullptr);
-    if (next.amplitude > kHeldRules.farthest * least + 1) return {};
-    if (monotone) step *= 1.3;
-    if (!next.ok() || !last.ok()) {
-      last = std::move(next);
-      continue;
+// Where the stator's crest is as fast as the rotor the contact brakes. A layer that sticks brakes less there, so that a load that
+// drives may be carried below.
+LoadedWave LoadedWaves::below_load(double omega) const {
+  LoadedWave w = at(speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude(), omega);
+  for (int i = 0; i < kHeldRules.most_steps && w.ok() && w.torque >= torque_; ++i)
+    w = at(w.amplitude * std::exp(-kHeldRules.first), omega, &w);
+  return w;
+}
+
+double LoadedWaves::next_step(const LoadedWave& from, double last) const {
+  if (is_monotone()) return kHeldRules.growth * last;
+  const double left = (torque_ - from.torque) / (from.torque_in_amplitude * from.amplitude);
+  return left > 0 ? std::clamp(0.5 * left, kHeldRules.shortest, kHeldRules.longest)
+                  : kHeldRules.longest;
+}
+
+LoadedWaves::Search LoadedWaves::first_reached(double omega) const {
+  LoadedWave last = below_load(omega);
+  const double farthest = kHeldRules.farthest * last.amplitude;
+  std::optional<LoadedWave> low;  // the largest so far that carries less
+  Search search;
+  double step = is_monotone() ? kHeldRules.first : kHeldRules.longest;
+  for (int i = 0; i < kHeldRules.most_steps && last.amplitude < farthest; ++i) {
+    if (last.ok()) {
+      if (last.torque >= torque_) {
+        if (low) search.found = {std::move(*low), std::move(last)};
+        return search;
+      }
+      if (low && !is_monotone())
+        if (auto peak = peak_between(*low, last)) {
+          search.found = {std::move(*low), std::move(*peak)};
+          return search;
+        }
+      if (low) step = next_step(last, step);
+      low = last;
+    } else {
+      search.lost = true;
     }
-    if (next.torque >= torque_) return Bracket{std::move(last), std::move(next)};
-    if (!monotone) {
-      if (auto peak = peak_between(last, next)) return Bracket{std::move(last), std::move(*peak)};
-      const double left = (torque_ - next.torque) / (next.torque_in_amplitude * next.amplitude);
-      step = left > 0 ? std::clamp(0.5 * left, kHeldRules.shortest, kHeldRules.longest)
-                      : kHeldRules.longest;
-      // Beyond the plateau nothing changes any more.
-      if (next.slopes.solved.drives() && last.slopes.solved.drives() &&
-          i > kHeldRules.most_steps / 2)
-        return {};
-    }
-    last = std::move(next);
+    last = at(last.amplitude * std::exp(step), omega, low ? &*low : nullptr);
   }
-  return {};
+  return search;
 }
 
-std::optional<LoadedWave> LoadedWaves::smallest(double omega) const {
-  auto ends = first_bracket(omega);
-  return ends ? between(std::move(*ends)) : std::nullopt;
-}
-
-// Below the load, as the torque bends towards its plateau: from there Newton's method does not leave the branch.
-std::optional<LoadedWave> LoadedWaves::near_smallest(double omega) const {
-  auto ends = first_bracket(omega);
-  if (!ends) return {};
-  auto& [low, high] = *ends;
+// The torque bends towards its plateau: from below the load Newton's method does not leave the branch.
+LoadedWave LoadedWaves::within(const Bracket& ends) const {
+  const auto& [low, high] = ends;
   const double share = (torque_ - low.torque) / (high.torque - low.torque);
-  LoadedWave w = at(low.amplitude + share * (high.amplitude - low.amplitude), omega, &high);
-  return w.ok() && w.torque_in_amplitude > 0 ? std::optional(std::move(w)) : std::nullopt;
+  return at(low.amplitude + share * (high.amplitude - low.amplitude), high.omega, &high);
 }
 
-std::optional<LoadedWave> LoadedWaves::near(const LoadedWave& known, double omega) const {
+std::optional<LoadedWave> LoadedWaves::followed(const LoadedWave& known, double omega) const {
   const double slope = -known.torque_in_omega / known.torque_in_amplitude;
   LoadedWave w = at(known.amplitude + slope * (omega - known.omega), omega, &known);
   double last = HUGE_VAL;

@@ -11,7 +11,9 @@ namespace twum::core {
 struct HeldRules {
   /// ln A from wave to wave below the first that carries the torque. Ripples of a layer that rings are longer.
   double longest = 0.04, shortest = 2e-3;
-  /// The search begins where the stator's crest is as fast as the rotor, and ends at this many times that amplitude.
+  /// Without ripples: the first step, and how each is longer than the last.
+  double first = 0.16, growth = 1.3;
+  /// The search ends at this many times the amplitude at which the stator's crest is as fast as the rotor.
   double farthest = 1e4;
   int most_steps = 400, most_tries = 80;
   /// Last step of A, and of omega, which is not solved again.
@@ -48,25 +50,32 @@ class LoadedWaves {
       : waves_(waves), torque_(torque), speed_(speed) {}
 
   double torque() const { return torque_; }
-  /// Torque of a contact that slips and drives all through; with mu_0 > mu a few per cent more are possible.
+  /// Torque of a contact that slips and drives all through, the largest with mu_0 = mu.
   double plateau() const;
   LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
-  /// The wave of the smallest amplitude that carries the torque at a frequency (Y2.1); nothing if none does.
-  std::optional<LoadedWave> smallest(double omega) const;
-  /// A wave near it, from which Newton's method leads there.
-  std::optional<LoadedWave> near_smallest(double omega) const;
-  /// The same near a wave that is known, by Newton's method; nothing if that leads elsewhere.
-  std::optional<LoadedWave> near(const LoadedWave& known, double omega) const;
 
- private:
-  /// Two waves between which the torque reaches the load.
+  /// Two waves of a frequency between which the torque first reaches the load as the amplitude rises.
   struct Bracket {
     LoadedWave low, high;
   };
-  std::optional<LoadedWave> between(Bracket ends) const;
+  /// Nothing if no amplitude carries the load; `lost` then says whether amplitudes without a periodic state were passed by.
+  struct Search {
+    std::optional<Bracket> found;
+    bool lost{false};
+  };
+  Search first_reached(double omega) const;
+  /// A wave between them, from which Newton's method leads to the load.
+  LoadedWave within(const Bracket& ends) const;
+  /// The wave between them that carries the load (Y2.1); nothing where the torque jumps past it, or has no periodic state.
+  std::optional<LoadedWave> settled(Bracket ends) const;
+  /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
+  std::optional<LoadedWave> followed(const LoadedWave& known, double omega) const;
+
+ private:
   std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
-  std::optional<Bracket> first_bracket(double omega) const;
+  LoadedWave below_load(double omega) const;
   bool is_monotone() const;
+  double next_step(const LoadedWave& from, double last) const;
 
   const DrivenWaves& waves_;
   double torque_, speed_;

@@ -79,7 +79,7 @@ const HeldMetrics::Known& HeldMetrics::known(const MetricRequest& request) {
 
 MetricValue HeldMetrics::evaluate(const MetricRequest& request) {
   if (!has_held_value(request.metric)) return {kNoValue, MetricStatus::undefined};
-  if (!(request.at > 0)) return {kNoValue, MetricStatus::out_of_range};
+  if (!(request.at > 0)) return {kNoValue, MetricStatus::undefined};  // at rest friction holds
   try {
     const Known& one = known(request);
     if (!one.motor) return {kNoValue, status_of(one.held.status)};

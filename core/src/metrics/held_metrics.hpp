@@ -5,6 +5,7 @@
 #include <twum/core/metrics.hpp>
 
 #include <deque>
+#include <optional>
 
 namespace twum::core {
 

@@ -27,7 +27,8 @@ struct HeldPoint {
   double amplitude{0};                ///< A of the wave [m]
   double frequency{0};                ///< of the drive [Hz]
   double voltage{0};                  ///< of a phase, rms [V]; NaN without modal data
-  /// What would do: the largest torque [N m] for `torque_out_of_reach`, the least voltage [V] for `voltage_too_low`, the amplitude [m]
+  /// What would do: the largest torque [N m] for `torque_out_of_reach` (with mu_0 > mu that of full slip, which jumps may exceed by
+  /// some per cent), the least voltage [V] for `voltage_too_low`, the amplitude [m]
   /// for `amplitude_too_low`, the frequency [Hz] for `outside_frequency_range`. Else NaN.
   double needed{0};
   /// True if the rotor would leave the speed under this torque at a fixed drive: only a controller of the speed holds it.

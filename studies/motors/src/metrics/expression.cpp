@@ -79,6 +79,11 @@ MetricRequest parse_held(const MetricInfo& metric, std::string_view first, std::
                          (a.argument == Argument::speed ? "speeds" : "torques"),
                      "write '" + std::string(metric.name) + "(0.5 N.m, 100 rpm)'", at(second));
   const bool speed_first = a.argument == Argument::speed;
+  if (!((speed_first ? a.at : b.at) > 0))
+    throw ValueError(
+        std::string(metric.name) + ": a drive holds a torque at a speed of more than 0 rpm",
+        "at rest friction holds it without a wave; give a speed such as '100 rpm'",
+        at(speed_first ? first : second));
   return {metric.metric, Argument::both, speed_first ? a.at : b.at, speed_first ? b.at : a.at};
 }
 
