@@ -46,7 +46,8 @@ function robustCard() {
         r.nominal.yield === null ? '' : ', but only ' + percent(r.nominal.yield, 2) + ' of its motors would pass';
     lines.push(
         'Without tolerances the optimum has ' + withArticle(goal.metric) + ' of ' +
-        goalText(goal, r.nominal.objective) + pass + '. The tolerances cost ' + goalText(goal, r.price, 3) + ' (' + share + ').');
+        goalText(goal, r.nominal.objective) + pass + '. The tolerances cost ' + goalText(goal, r.price, 3) + ' (' +
+        share + ').');
   }
   if (lines.length)
     card('Against the optimum without tolerances', null, 'wide', ...lines.map((line) => sentence(line)));
