@@ -16,7 +16,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDES_GSL = re.compile(r"#\s*include\s*<gsl/")
 LIBRARY = "optim/libtwum_optim.a"
-OBJECTS = [f"optim/CMakeFiles/twum_optim.dir/src/{name}.cpp.o" for name in ("no_gsl_fit", "library_versions")]
+OBJECTS = [f"optim/CMakeFiles/twum_optim.dir/src/{name}.cpp.o" for name in ("fit/no_gsl_fit", "problem/library_versions")]
 ARGUMENTS = None
 
 
