@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-using namespace twum::studies;
+using namespace twum::io;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <locale>
 
-using namespace twum::studies;
+using namespace twum::io;
 
 TEST_CASE("a number is read whole or not at all", "[studies][text]") {
   CHECK(parse_number("1.5") == 1.5);

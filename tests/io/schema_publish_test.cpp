@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-using namespace twum::studies;
+using namespace twum::io;
 using Json = nlohmann::json;
 using Catch::Matchers::Contains;
 

@@ -14,7 +14,7 @@
 #include <string>
 
 using namespace twum;
-using namespace twum::studies;
+using namespace twum::io;
 using namespace twum::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;

@@ -14,7 +14,7 @@
 #include <limits>
 #include <thread>
 
-using namespace twum::studies;
+using namespace twum::io;
 using twum::test::ScratchFolder;
 
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -90,4 +90,4 @@ TEST_CASE("no line is wider than asked, and no word is lost", "[files][table]") 
   CHECK(std::includes(shown.begin(), shown.end(), all.begin(), all.end()));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-using namespace twum::studies;
+using namespace twum::io;
 using namespace twum::test;
 
 namespace {

@@ -108,5 +108,6 @@ TEST_CASE("every reason for a missing answer is explained, in the guide with the
     CAPTURE(row);
     CHECK(guide.str().find(row) != std::string::npos);
   }
-  CHECK(expected == static_cast<unsigned>(MetricStatus::outside_frequency_range));  // the last there is
+  CHECK(expected ==
+        static_cast<unsigned>(MetricStatus::outside_frequency_range));  // the last there is
 }

@@ -57,7 +57,7 @@ constexpr MotorNumber kMotorNumbers[] = {
     {"crest_speed", [](const Motor& m) { return m.crest_speed(); }},
     {"wave_speed", [](const Motor& m) { return m.wave_speed(); }},
     {"first_speed", [](const Motor& m) { return m.first_speed(); }},
-    {"last_speed", [](const Motor& m) { return studies::last_curve_speed(m); }},
+    {"last_speed", [](const Motor& m) { return motors::last_curve_speed(m); }},
     {"slices", [](const Motor& m) { return static_cast<double>(m.radial_slices()); }},
     {"half_angle", [](const Motor& m) { return m.contact().half_angle; }},
     {"modal", [](const Motor& m) { return has_modal_data(m.design()) ? 1.0 : 0.0; }},
@@ -71,15 +71,15 @@ void append(const char* name) {
 // The columns of a curve: those of `twum curve`, those of the terminals, and others that the page draws.
 void append_columns() {
   append("status");
-  for (const studies::CurveColumn& one : studies::contact_columns()) append(one.name);
-  for (const studies::CurveColumn& one : studies::terminal_columns()) append(one.name);
+  for (const motors::CurveColumn& one : motors::contact_columns()) append(one.name);
+  for (const motors::CurveColumn& one : motors::terminal_columns()) append(one.name);
   append("efficiency");
 }
 
 void put_point(const OperatingPoint& point) {
   put(static_cast<double>(point.status));
-  for (const studies::CurveColumn& one : studies::contact_columns()) put(one.value(point));
-  for (const studies::CurveColumn& one : studies::terminal_columns()) put(one.value(point));
+  for (const motors::CurveColumn& one : motors::contact_columns()) put(one.value(point));
+  for (const motors::CurveColumn& one : motors::terminal_columns()) put(one.value(point));
   put(point.efficiency());
 }
 
@@ -148,8 +148,8 @@ TWUM_EXPORT(circuit) int circuit_data() {
 TWUM_EXPORT(curve) int curve(int points, double last) {
   return attempt([=] {
     for (int i = 0; i < points; ++i)
-      put_point(current().operating_point(studies::curve_speed(
-          last, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(points))));
+      put_point(current().operating_point(motors::curve_speed(last, static_cast<std::uint64_t>(i),
+                                                              static_cast<std::uint64_t>(points))));
     return points;
   });
 }
@@ -157,7 +157,7 @@ TWUM_EXPORT(curve) int curve(int points, double last) {
 /// Whether the motor squeals at a speed [rad/s]: 1, or 0 also where that is not known.
 TWUM_EXPORT(squeals) int squeals_at(double speed) {
   return attempt([=] {
-    const auto squeals = studies::squeals(current().design(), current().backward_wave(speed));
+    const auto squeals = motors::squeals(current().design(), current().backward_wave(speed));
     return squeals.value_or(false) ? 1 : 0;
   });
 }
@@ -204,9 +204,9 @@ TWUM_EXPORT(notes) int notes(int at_length) {
   return attempt([=] {
     const MotorDesign& design = current().design();
     const auto list =
-        at_length != 0 ? studies::model_notes_at_length(design) : studies::model_notes(design);
+        at_length != 0 ? motors::model_notes_at_length(design) : motors::model_notes(design);
     text.clear();
-    for (const studies::ModelNote& note : list) text += (text.empty() ? "" : "\n") + note.text;
+    for (const motors::ModelNote& note : list) text += (text.empty() ? "" : "\n") + note.text;
     return list.size();
   });
 }

@@ -8,7 +8,7 @@ namespace twum::optim {
 /// The solvers that auto tries after its starts, in this order, each from the best design so far.
 struct Ladder {
   std::vector<std::string> rungs{"nlopt:slsqp", "ipopt", "nlopt:ccsaq", "nlopt:auglag",
-                                 "nlopt:cobyla"};
+                                 "nlopt:sbplx"};
   bool to_the_top{false};  ///< for tests: continues even after a success
 };
 

@@ -39,7 +39,7 @@ std::vector<SolverOption> ipopt_options();
 /// @throws InputError as find_solver()
 const Optimizer& find_optimizer(const std::string& name);
 
-/// Throws if this build lacks the solver, and says why.
+/// Throws if this build lacks the solver, or if it needs a process and this program names none; says why.
 /// @throws InputError
 void require_available(const SolverInfo& solver);
 

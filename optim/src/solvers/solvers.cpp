@@ -2,6 +2,7 @@
 #include <twum/base/error.hpp>
 
 #include "solvers/optimizer.hpp"
+#include "solvers/solver_process.hpp"
 
 #include <algorithm>
 #include <array>
@@ -106,6 +107,11 @@ const std::vector<SolverOption>& solver_options() {
 void require_available(const SolverInfo& solver) {
   if (!solver.available)
     throw InputError("solver '" + solver.name + "' cannot be used: " + solver.description);
+  if (solver.own_process && solver_process().empty())
+    throw InputError("solver '" + solver.name +
+                     "' may compute for ever, so it needs a process of its own that can be ended: "
+                     "the command twum "
+                     "gives it one, another program names one with use_solver_process()");
 }
 
 double number_option(const RunSettings& settings, const std::string& name, double standard,

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace twum::studies;
+using namespace twum::io;
 
 TEST_CASE("a dimension goes by its usual unit", "[files][units]") {
   for (const char* unit :

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-using namespace twum::studies;
+using namespace twum::io;
 using Catch::Contains;
 
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-using namespace twum::studies;
+using namespace twum::io;
 
 namespace {
 

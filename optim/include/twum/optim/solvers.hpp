@@ -19,11 +19,12 @@ struct SolverInfo {
   bool gradient{false};     ///< needs the Jacobian
   bool inequality{
       false};  ///< accepts inequality constraints, possibly through an augmented Lagrangian
-  bool equality{false};    ///< accepts equality constraints
-  bool global{false};      ///< searches the whole box
-  bool stochastic{false};  ///< uses random numbers, which depend on the seed
-  bool augmented{false};   ///< constraints only through an augmented Lagrangian (nlopt:auglag)
-  bool available{true};    ///< false: not in this build; `description` says why
+  bool equality{false};     ///< accepts equality constraints
+  bool global{false};       ///< searches the whole box
+  bool stochastic{false};   ///< uses random numbers, which depend on the seed
+  bool augmented{false};    ///< constraints only through an augmented Lagrangian (nlopt:auglag)
+  bool available{true};     ///< false: not in this build; `description` says why
+  bool own_process{false};  ///< may compute for ever, so that it needs use_solver_process()
   FailurePolicy on_failure{FailurePolicy::restart};  ///< reaction to a failed evaluation
 };
 

@@ -19,12 +19,15 @@
 /// @file
 /// The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
 
+namespace twum::io {
+template <typename T>
+struct Shape;
+}
+
 namespace twum::studies {
 
 class StudyKindRun;
 struct StudyFile;
-template <typename T>
-struct Shape;
 
 /// Torque-speed curves of one motor, or of a family over one parameter.
 struct CurveStudy {

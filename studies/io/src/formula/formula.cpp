@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -154,4 +154,4 @@ FormulaDerivative Formula::differentiate(std::span<const double> names) const {
   return result;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -38,7 +38,7 @@ const char* name_of(Operation operation) {
 }
 
 std::string measured(const std::string& text, const Dimension& dimension) {
-  return studies::quoted(text) + " is " + dimension_phrase(dimension.unit());
+  return io::quoted(text) + " is " + dimension_phrase(dimension.unit());
 }
 
 // The text of an operand, in parentheses if its precedence is lower than required.
@@ -79,7 +79,7 @@ void refuse_difference(const std::string& left, const Dimension& of_left, const 
   if (of_left == of_right) return;
   const bool angle = of_left.differs_by_angle_only(of_right);
   throw ValueError(measured(left, of_left) + ", but " + measured(right, of_right),
-                   studies::quoted(sign) + " needs the same dimension on both sides" +
+                   io::quoted(sign) + " needs the same dimension on both sides" +
                        (angle ? "; these differ by an angle: multiply or divide by '1 rad'" : ""),
                    at);
 }
@@ -112,7 +112,7 @@ FormulaPart FormulaBuilder::add(Formula::Step step, std::string text, Binding bi
     if (step.constant) step.value = apply(step.operation, left.value, right.value);
   }
   if (step.constant && !std::isfinite(step.value))
-    throw ValueError(studies::quoted(text) + " has no finite value", "correct this part", at);
+    throw ValueError(io::quoted(text) + " has no finite value", "correct this part", at);
   steps_.push_back(step);
   return {steps_.size() - 1, std::move(text), binding, dimension};
 }
@@ -137,12 +137,12 @@ Dimension FormulaBuilder::power_dimension(const FormulaPart& base, const Formula
   if (base.dimension.none()) return {};
   const Formula::Step& step = steps_[exponent.step];
   if (!step.constant)
-    throw ValueError(measured(base.text, base.dimension) + " with the exponent " +
-                         studies::quoted(exponent.text),
-                     "a quantity with a unit takes a number as its exponent", at);
+    throw ValueError(
+        measured(base.text, base.dimension) + " with the exponent " + io::quoted(exponent.text),
+        "a quantity with a unit takes a number as its exponent", at);
   constexpr double kMostPower = 1000;  // limit of the powers in a dimension
   if (std::fabs(step.value) > kMostPower)
-    throw ValueError("the exponent " + studies::quoted(exponent.text) + " is too large",
+    throw ValueError("the exponent " + io::quoted(exponent.text) + " is too large",
                      "a quantity with a unit takes an exponent up to 1000", at);
   return base.dimension.power(step.value);
 }
@@ -184,4 +184,4 @@ Formula FormulaBuilder::finish(const FormulaPart& part) && {
   return {std::move(steps_), part.text, part.dimension};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

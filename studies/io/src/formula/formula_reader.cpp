@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -142,19 +142,18 @@ class Reader {
   void close(std::size_t open) {
     if (take(")")) return;
     if (!ended()) throw ValueError("found " + rest(), "expected an operator or ')'", at_);
-    throw ValueError(studies::quoted(text_.substr(open)) + " has no ')'", "close the parenthesis",
-                     at_);
+    throw ValueError(io::quoted(text_.substr(open)) + " has no ')'", "close the parenthesis", at_);
   }
 
   // The text up to the next blank.
   std::string rest() const {
     std::size_t end = at_;
     while (end < text_.size() && leading_blank(text_.substr(end)) == 0) ++end;
-    return studies::quoted(text_.substr(at_, end - at_));
+    return io::quoted(text_.substr(at_, end - at_));
   }
 
   [[noreturn]] void refuse_rest(const FormulaPart& before) const {
-    throw ValueError("found " + rest() + " after " + studies::quoted(before.text),
+    throw ValueError("found " + rest() + " after " + io::quoted(before.text),
                      sees(')')
                          ? "it closes no parenthesis; in a YAML list, quote text that holds a comma"
                          : "expected an operator: '+', '-', '*', '/' or '^'",
@@ -171,7 +170,7 @@ class Reader {
     const std::size_t unit_at = at_;
     const std::string_view unit = take_unit();
     if (unit.find('+') != std::string_view::npos)  // UDUNITS takes "W+3" for W^3
-      throw ValueError(studies::quoted(unit) + " is not a unit", kBlanksRound, unit_at);
+      throw ValueError(io::quoted(unit) + " is not a unit", kBlanksRound, unit_at);
     if (!unit.empty()) text += " " + std::string(unit);
     try {
       return builder_.number(parse_measure(text), text);
@@ -245,8 +244,8 @@ class Reader {
     if (sees('(')) {
       end = closing(at_) + 1;
       if (end > text_.size())
-        throw ValueError(studies::quoted(text_.substr(begin)) + " has no ')'",
-                         "close the parenthesis", text_.size());
+        throw ValueError(io::quoted(text_.substr(begin)) + " has no ')'", "close the parenthesis",
+                         text_.size());
     }
     const std::string_view reference = text_.substr(begin, end - begin);
     at_ = end;
@@ -263,8 +262,8 @@ class Reader {
     const std::string name(function.name);
     const std::string usage = "expected '" + name + (function.two ? "(A, B)'" : "(A)'");
     if (!take("("))
-      throw ValueError(studies::quoted(name) + " needs " +
-                           (function.two ? "two values" : "a value") + " in parentheses",
+      throw ValueError(io::quoted(name) + " needs " + (function.two ? "two values" : "a value") +
+                           " in parentheses",
                        usage, at_);
     const FormulaPart first = sum();
     if (!function.two) {
@@ -272,7 +271,7 @@ class Reader {
       return builder_.unary(function.operation, first, begin);
     }
     if (!take(","))
-      throw ValueError(studies::quoted(text_.substr(begin, at_ - begin)) + " has one value",
+      throw ValueError(io::quoted(text_.substr(begin, at_ - begin)) + " has one value",
                        usage + "; in a YAML list, quote text that holds a comma", at_);
     const FormulaPart second = sum();
     close(begin);
@@ -292,4 +291,4 @@ Formula read_formula(std::string_view text, const FormulaNames& names) {
   return Reader(text, names).read();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

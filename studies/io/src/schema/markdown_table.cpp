@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 std::string range_text(const Schema& schema) {
@@ -163,4 +163,4 @@ std::string markdown_table(const Schema& mapping) {
   return "| entry | value | default | text |\n| --- | --- | --- | --- |\n" + writer.take();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

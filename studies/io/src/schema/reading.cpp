@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 // The entry with a name or an accepted alias equal to the key.
@@ -356,4 +356,4 @@ Shape<std::size_t> choice(std::string text, std::vector<std::string> words) {
   return shape;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 constexpr std::string_view kEnd("\0", 1);  // between two texts
@@ -122,4 +122,4 @@ Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn
   return stored;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

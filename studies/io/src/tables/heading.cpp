@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 bool names_unit(std::string_view text) {
@@ -40,4 +40,4 @@ std::string_view first_word(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A column's heading: "thickness [mm]" has the name "thickness" and the unit "mm". Views into the text.
 struct Heading {
@@ -21,4 +21,4 @@ std::vector<Heading> heading_forms(std::string_view text);
 /// The first word of a heading: letters, digits and underscores.
 std::string_view first_word(std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 std::size_t skip_digits(std::string_view text, std::size_t at) {
@@ -100,4 +100,4 @@ std::string rounded_text(double value, int digits) {
   return {buffer.data(), end};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 struct EngineeringPrefix {
@@ -79,4 +79,4 @@ std::string printed_engineering(double value, std::string_view si_unit, int digi
   return with_unit(value, unit, printed_unit(unit.text), digits);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::io {
 
 // The unit system that UDUNITS-2 is given. It differs from the one that UDUNITS ships in two points: the radian is a
 // base unit, and an energy is a torque times an angle (J = N m rad). So rad/s is not Hz, rpm is neither, and N.m is
@@ -117,4 +117,4 @@ inline constexpr NamedDimension kDimensions[] = {
     {"kg.m^2", "moment of inertia"},
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -15,7 +15,7 @@
 #include <memory>
 #include <mutex>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 struct FreeUnit {
@@ -215,4 +215,4 @@ BasePowers base_powers(std::string_view unit) {
   return powers;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

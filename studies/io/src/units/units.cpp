@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 // Usual units, suggested for mistyped ones.
@@ -149,7 +149,7 @@ void refuse_comma(std::string_view text) {
   const std::string_view number = text.substr(0, end);
   if (comma >= number.size()) return;  // no part of a number
   const std::string unit(end == std::string_view::npos ? std::string_view() : text.substr(end));
-  const auto shown = [&](const std::string& digits) { return studies::quoted(digits + unit); };
+  const auto shown = [&](const std::string& digits) { return io::quoted(digits + unit); };
   std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"
   if (const std::size_t at = pointed.find(','); at != std::string::npos) pointed[at] = '.';
   const std::string whole = without(number, ',');
@@ -158,16 +158,15 @@ void refuse_comma(std::string_view text) {
                          number_prefix(whole) == whole.size();
   const bool points = number.find('.') != std::string_view::npos;
   if (thousands && decimal && !points)
-    throw ValueError(studies::quoted(text) +
+    throw ValueError(io::quoted(text) +
                          " has a comma, which may stand for a decimal point or "
                          "separate thousands",
                      "write " + shown(pointed) + " or " + shown(whole), comma);
   if (thousands)
-    throw ValueError(studies::quoted(text) + " has commas between thousands",
-                     "write " + shown(whole), comma);
-  if (decimal && (!points || number.find('.') < comma))
-    throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + shown(pointed),
+    throw ValueError(io::quoted(text) + " has commas between thousands", "write " + shown(whole),
                      comma);
+  if (decimal && (!points || number.find('.') < comma))
+    throw ValueError(io::quoted(text) + " has a decimal comma", "write " + shown(pointed), comma);
 }
 
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {
@@ -265,4 +264,4 @@ std::string dimension_phrase(std::string_view si_unit) {
   return (name.empty() ? std::string("a quantity") : article(name)) + bracketed;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -5,7 +5,7 @@
 #include <array>
 #include <cctype>
 
-namespace twum::studies {
+namespace twum::io {
 namespace {
 
 constexpr std::size_t kLineLength = 90;
@@ -98,4 +98,4 @@ std::string yaml_text(const YamlNode& mapping, std::size_t depth) {
   return out;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -4,7 +4,7 @@
 #include <twum/io/engineering.hpp>
 #include <twum/io/words.hpp>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr const char* kCircuit = "equivalent_circuit";
@@ -70,4 +70,4 @@ bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given&
   return good;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr CurveColumn kContact[] = {
@@ -82,4 +82,4 @@ std::vector<double> curve_speeds(const Motor& motor, std::size_t points) {
   return speeds;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

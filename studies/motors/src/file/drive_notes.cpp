@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 std::string drive_of(const MotorDesign& design) {
@@ -80,4 +80,4 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
               "to start it takes " + start("more than "));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

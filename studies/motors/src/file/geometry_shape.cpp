@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 // A block that may name a material, and the kind of material that goes there.
@@ -160,4 +160,4 @@ std::optional<stator::StatorGeometry> blank_geometry(const GivenMotor& given) {
   return geometry;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

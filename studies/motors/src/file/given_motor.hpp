@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A motor as its file gives it, in SI.
 struct GivenMotor {
@@ -31,4 +31,4 @@ struct GivenMotor {
   }
 };
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 // The box of docs/theory/contact-model.md, section 10, in which random motors are tested. A value of 0
@@ -250,4 +250,4 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   return notes;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

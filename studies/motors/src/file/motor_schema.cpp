@@ -15,7 +15,7 @@
 #include <array>
 #include <cctype>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 std::string_view first_step(std::string_view path) { return path.substr(0, path.find('.')); }
@@ -432,4 +432,4 @@ const Shape<MotorFile>& motor_file_shape() {
   return shape;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -3,7 +3,7 @@
 
 #include "yaml/yaml_text.hpp"
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 std::string in_line(const YamlNode& node) {
@@ -34,4 +34,4 @@ std::string motor_text(const MotorFile& motor) {
   return lines_of(file, "");
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 Parameter parse_parameter(std::string_view name) {
   name = trimmed(name);
@@ -78,4 +78,4 @@ MotorDesign with_settings(const MotorDesign& design, std::span<const std::string
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 // SI units of all properties but those without dimension.
@@ -98,4 +98,4 @@ const Material& find_material(std::string_view name, std::span<const std::string
   throw ValueError("unknown material " + quoted(name), did_you_mean(name, names));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 using Complex = std::complex<double>;
@@ -100,4 +100,4 @@ MetricDerivative differentiate(const MotorDesign& design, CircuitPart part,
   return result;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr Expected kSpeed{"rad/s", "100 rpm"};
@@ -395,4 +395,4 @@ std::string unanswered(std::span<const MetricExpression> expressions,
   return text;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

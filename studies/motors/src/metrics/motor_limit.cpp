@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr const char* kUsage = "expected a limit such as 'stall_torque >= 0.8 N.m'";
@@ -181,4 +181,4 @@ MotorLimit parse_limit(std::string_view text) {
   return two_sided(text, signs, first, middle, last);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

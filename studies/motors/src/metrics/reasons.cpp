@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motors/reasons.hpp>
 
-namespace twum::studies {
+namespace twum::motors {
 
 std::span<const Reason> reasons() {
   static constexpr Reason kReasons[] = {
@@ -52,4 +52,4 @@ std::span<const Reason> reasons() {
   return kReasons;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 std::string name_of(Parameter parameter) { return std::string(info(parameter).name); }
@@ -197,4 +197,4 @@ std::vector<double> VariedParameters::derivatives(
   return by;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr std::size_t kMostShown = 100;  // errors of one header
@@ -178,7 +178,7 @@ void DesignTable::check_alternatives(std::vector<std::string>& wrong) const {
 }
 
 bool DesignTable::any_answer(const Scratch& scratch) const {
-  return studies::any_answer(metrics_, scratch.metrics);
+  return motors::any_answer(metrics_, scratch.metrics);
 }
 
 bool DesignTable::has(Parameter parameter) const {
@@ -285,4 +285,4 @@ bool DesignTable::append_result(std::string_view record, std::size_t line, Scrat
   return ok;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 constexpr std::string_view kDeviation = "_sd";
@@ -253,4 +253,4 @@ std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns
   return headings;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

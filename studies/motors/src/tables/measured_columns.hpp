@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// Role of a column in a table of measurements.
 enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter };
@@ -45,4 +45,4 @@ std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns
 /// Columns that set a parameter by a letter: "h sets thickness".
 std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

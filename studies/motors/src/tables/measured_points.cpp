@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::motors {
 namespace {
 
 // Limit of columns, to avoid a long list of errors for a file of another kind.
@@ -283,4 +283,4 @@ MeasuredPoints joined(std::vector<MeasuredPoints> files) {
   return all;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A measured quantity: a metric of the motor, or a part of the impedance of its free stator.
 using Reading = std::variant<MetricRequest, CircuitPart>;
@@ -70,4 +70,4 @@ MeasuredPoints read_measured_points(const Source& source);
 /// @throws InputError if points of several kinds, or only some of the points, have no standard deviation
 MeasuredPoints joined(std::vector<MeasuredPoints> files);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

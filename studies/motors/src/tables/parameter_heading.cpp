@@ -3,7 +3,7 @@
 
 #include <twum/io/words.hpp>
 
-namespace twum::studies {
+namespace twum::motors {
 
 std::optional<Parameter> parameter_named(std::string_view name) {
   if (const auto parameter = find_parameter(name)) return parameter;
@@ -31,4 +31,4 @@ std::string heading_of(const ParameterInfo& row) {
   return std::string(row.name) + (row.unit == "1" ? "" : " [" + std::string(row.unit) + "]");
 }
 
-}  // namespace twum::studies
+}  // namespace twum::motors

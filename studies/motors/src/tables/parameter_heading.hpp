@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// The parameter that a column's heading means: by its name, its symbol, or its entry in a motor file, such as
 /// "friction.kinetic" or "motor.preload".
@@ -26,4 +26,4 @@ std::string bare_letter_advice(const ParameterInfo& row);
 /// The heading with which a parameter is read, such as "preload [N]".
 std::string heading_of(const ParameterInfo& row);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <string>
+#include <twum/base/namespaces.hpp>
 #include <twum/base/no_value.hpp>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
 struct StoredColumn {
@@ -28,4 +29,4 @@ struct NamedValue {
   double value;      ///< kNoValue: none
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -9,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// One record of a CSV text, with the line on which it begins, counted from 1.
 struct CsvRecord {
@@ -98,4 +100,4 @@ void append_own_cell(std::string& out, std::string_view text);
 /// it as text.
 void append_cell(std::string& out, std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/base/error.hpp>
+#include <twum/base/namespaces.hpp>
 #include <twum/io/source.hpp>
 
 #include <memory>
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// One thing that is wrong in a file: where, which entry, what was found, what would be right.
 struct Diagnostic {
@@ -66,4 +67,4 @@ class Diagnostics {
   std::vector<Diagnostic> found_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

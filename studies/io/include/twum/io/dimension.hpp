@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <array>
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Dimension of a quantity as powers of the base units m, kg, s, rad, A and K. The radian is a base unit, so a torque
 /// is not an energy and an angular speed is not a frequency. Powers may be fractions, such as 1/2 for the square root
@@ -49,4 +51,4 @@ struct Measure {
 /// @throws ValueError naming what was found, such as an unknown unit, with its position
 Measure parse_measure(std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::io

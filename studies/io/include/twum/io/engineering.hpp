@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// An SI value with an engineering prefix: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
 /// @param digits  significant ones, 1 to 17
@@ -30,4 +32,4 @@ std::string printed_engineering(double value, std::string_view si_unit, int digi
 /// A unit as books print it: "µm", "N·m", "W/m²" for um, N.m, W/m^2.
 std::string printed_unit(std::string_view unit);
 
-}  // namespace twum::studies
+}  // namespace twum::io

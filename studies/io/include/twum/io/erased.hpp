@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <concepts>
 #include <cstddef>
 #include <functional>
@@ -8,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A function whose first argument is a T, kept as a function of an address. Code that reads and writes entries can
 /// therefore be compiled once, not once for each struct.
@@ -66,4 +68,4 @@ constexpr ErasedList erased_list() {
       [](void* list, std::size_t number) -> void* { return &(*static_cast<List*>(list))[number]; }};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

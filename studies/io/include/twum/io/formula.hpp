@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/dimension.hpp>
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A name in a formula.
 struct FormulaName {
@@ -108,4 +109,4 @@ Formula read_formula(std::string_view text, const FormulaNames& names);
 void require_same_dimension(const Formula& left, const Formula& right, std::string_view sign,
                             std::size_t position);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Reads a text that is a number as a whole, such as "1.5", "+2", ".5", "5." or "1e-6". Nothing for any other text,
 /// including hexadecimal, infinite and NaN, and beyond the range of a double. Independent of the locale.
@@ -29,4 +31,4 @@ std::string rounded_text(double value, int digits);
 /// A rounded number for a sentence: two significant digits, or a whole number from 100 on.
 std::string about(double value);
 
-}  // namespace twum::studies
+}  // namespace twum::io

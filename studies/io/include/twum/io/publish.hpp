@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/schema.hpp>
 
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A schema as JSON Schema (draft 2020-12), for editors and other programs. Depends on the schema only.
 /// @param id  address that identifies the schema
@@ -18,4 +19,4 @@ std::string markdown_table(const Schema& mapping);
 /// A commented YAML file to start from: every entry with its example, optional ones commented out.
 std::string yaml_template(const Schema& schema, std::string_view heading);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/base/error.hpp>
+#include <twum/base/namespaces.hpp>
 #include <twum/io/column.hpp>
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// One evaluation. It is identified by (stage, index), which depends on the study and its seed, not on threads or
 /// interruptions.
@@ -96,4 +97,4 @@ class ResultStore {
   std::unique_ptr<Database> database_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/shared_list.hpp>
 #include <twum/io/yaml_node.hpp>
 
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Kind of a value in a file.
 enum class ValueKind : unsigned char {
@@ -84,4 +85,4 @@ struct SchemaEntry {
 /// The entry of a schema at a path such as "motor.stator.frequency"; null if there is none.
 const SchemaEntry* find_path(const Schema& root, std::string_view path);
 
-}  // namespace twum::studies
+}  // namespace twum::io

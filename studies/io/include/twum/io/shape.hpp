@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/value_shape.hpp>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A mapping of a file, for checks that involve several of its entries.
 class Given {
@@ -226,4 +227,4 @@ Field<T> section(std::string name, std::string text, const Fields<T>& fields,
       erased_section(std::move(name), std::move(text), fields.erased(), check.erased(), &fresh));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A list that its copies share until one of them changes: a schema is put together from parts, each of which is copied
 /// once for every level above it.
@@ -45,4 +47,4 @@ class SharedList {
   std::shared_ptr<std::vector<T>> items_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

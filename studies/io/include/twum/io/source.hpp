@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A place in a text; line and column count from 1 in characters, as in editors.
 struct SourceMark {
@@ -47,4 +49,4 @@ inline constexpr std::size_t kLargestFile = std::size_t{4} << 20U;
 /// @throws InputError if it cannot be read or is larger than kLargestFile.
 Source read_source(const std::string& path);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Default width of a terminal [characters].
 inline constexpr std::size_t kSummaryWidth = 80;
@@ -25,4 +27,4 @@ std::string aligned(const TextTable& table);
 /// @param width  0: no limit
 std::string aligned(const TextTable& table, std::size_t width);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Conversion of numbers in a unit to SI: multiplication by `factor`, which is 10^power for decimal units.
 class Scale {
@@ -61,4 +63,4 @@ std::string_view dimension_name(std::string_view si_unit);
 /// Name of a dimension in error texts: "a length [m]", "a number without unit".
 std::string dimension_phrase(std::string_view si_unit);
 
-}  // namespace twum::studies
+}  // namespace twum::io

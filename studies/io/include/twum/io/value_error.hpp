@@ -2,11 +2,12 @@
 #pragma once
 
 #include <twum/base/error.hpp>
+#include <twum/base/namespaces.hpp>
 
 #include <cstddef>
 #include <string>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// A wrong text. What was found and what would be right are kept separately, so that a reader of files can add the
 /// place, and the command line the option.
@@ -34,4 +35,4 @@ class ValueError : public InputError {
   std::size_t position_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::io

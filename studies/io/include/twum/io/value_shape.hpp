@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/erased.hpp>
 #include <twum/io/schema.hpp>
@@ -17,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Place of a value in a file.
 struct Spot {
@@ -186,4 +187,4 @@ Shape<T> one_of(std::string text, const std::vector<Shape<T>>& alternatives,
                                       std::move(selector), std::move(words)));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::io

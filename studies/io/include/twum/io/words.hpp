@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Number of insertions, deletions, replacements and swaps of neighbours between two words, or limit + 1 if there are
 /// more than `limit`. Cost: the product of their lengths.
@@ -46,4 +48,4 @@ std::string counted(std::uint64_t count, std::string_view what);
 /// Splits a text at commas outside parentheses and removes blanks at the ends of the pieces; views into the text.
 std::vector<std::string_view> split_list(std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::io

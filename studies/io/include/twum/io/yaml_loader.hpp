@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/yaml_node.hpp>
 
-namespace twum::studies {
+namespace twum::io {
 
 /// Reads one YAML document strictly: duplicate keys, keys that are not words, anchors, aliases, merge keys, tags,
 /// further documents, deep nesting, and bytes that are not text are errors.
@@ -14,4 +15,4 @@ namespace twum::studies {
 /// @return the root; of kind refused if nothing could be read.
 YamlNode load_yaml(Diagnostics& diagnostics);
 
-}  // namespace twum::studies
+}  // namespace twum::io

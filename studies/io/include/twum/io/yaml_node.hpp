@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/io/source.hpp>
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
 
 struct YamlEntry;
 
@@ -42,4 +43,4 @@ struct YamlEntry {
 /// Name of a kind in error texts: "a text", "a list", ... Static lifetime.
 std::string_view kind_phrase(YamlNode::Kind kind);
 
-}  // namespace twum::studies
+}  // namespace twum::io

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
+
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A property of a material.
 struct MaterialValue {
@@ -36,4 +38,4 @@ std::span<const Material> material_catalogue();
 /// @throws ValueError for an unknown name or one of another kind, with the nearest admissible name
 const Material& find_material(std::string_view name, std::span<const std::string_view> kinds = {});
 
-}  // namespace twum::studies
+}  // namespace twum::motors

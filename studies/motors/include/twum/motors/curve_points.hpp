@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/motor.hpp>
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// One quantity of a torque-speed curve.
 struct CurveColumn {
@@ -56,4 +57,4 @@ struct SquealRange {
 /// curve for each speed.
 std::vector<SquealRange> squeal_ranges(const Motor& motor, std::span<const double> speeds);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/batch.hpp>
 #include <twum/core/motor_design.hpp>
 #include <twum/io/csv.hpp>
@@ -16,12 +17,14 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::io {
+struct Heading;
+}
+
+namespace twum::motors {
 
 /// True if one of the expressions has a value. If metrics were asked for, parameters do not count.
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values);
-
-struct Heading;
 
 /// A table with one design in each row. Columns named like parameters (with an optional "[unit]", "(unit)" or "/ unit") replace
 /// the parameters of a base motor. Lines that begin with # are remarks. Other columns are copied to the result, except those that the result computes itself.
@@ -119,4 +122,4 @@ DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigne
                             const std::function<bool()>& proceed,
                             const std::function<void(const DesignCounts&)>& progress);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

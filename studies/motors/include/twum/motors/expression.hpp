@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/io/formula.hpp>
 
@@ -10,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A name in an expression: a metric ("stall_torque"), a point metric ("torque_at(100 rpm)", "efficiency_at(0.5
 /// N.m)"; the dimension says whether it is a speed or a torque), or a parameter of the design. In SI.
@@ -105,4 +106,4 @@ class ExpressionEvaluator {
 std::string unanswered(std::span<const MetricExpression> expressions,
                        std::span<const MetricValue> values);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/frequency_response.hpp>
 
 #include <span>
 #include <string>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// One quantity of a frequency response.
 struct FrequencyColumn {
@@ -31,4 +32,4 @@ std::string wave_text(const ResponsePoint& wave);
 /// or inertia sticks somewhere.
 std::string squeal_text(const ResponsePoint& wave);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/motor_design.hpp>
 #include <twum/core/parameters.hpp>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A reason to doubt the model for a valid motor.
 struct ModelNote {
@@ -38,4 +39,4 @@ std::string thick_layer_note(const MotorDesign& design);
 /// to which speed a backward wave grows (D6.7, D6.8).
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

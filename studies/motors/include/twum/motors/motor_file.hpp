@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/motor_design.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/diagnostics.hpp>
@@ -9,7 +10,7 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// Version of the file formats that this program reads and writes: `twum: 1`.
 inline constexpr int kFileVersion = 1;
@@ -49,4 +50,4 @@ MotorFile read_motor(const Source& source);
 /// A motor as the text of a motor file, with SI values to the last digit. Of alternatives, the one in use is written.
 std::string motor_text(const MotorFile& motor);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/motors/expression.hpp>
 
 #include <limits>
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A limit on a quantity of a motor: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length", "145 rpm <=
 /// no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
@@ -40,4 +41,4 @@ MotorLimit parse_limit(std::string_view text);
 /// @throws ValueError with what was found and what would be right
 MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

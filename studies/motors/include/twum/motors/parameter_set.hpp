@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/shape.hpp>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A named set of parameters, such as those of one lining.
 struct ParameterSet {
@@ -27,4 +28,4 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape();
 /// @throws FileError with everything that is wrong in it; also for a file without parameters.
 std::vector<ParameterValue> read_parameter_set(const Source& source);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

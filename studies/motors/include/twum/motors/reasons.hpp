@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/metrics.hpp>
 
 #include <span>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A reason for a missing answer, and what it means.
 struct Reason {
@@ -17,4 +18,4 @@ struct Reason {
 /// Every reason, in the order of MetricStatus. Terminal, page and guide use the same words. Static lifetime.
 std::span<const Reason> reasons();
 
-}  // namespace twum::studies
+}  // namespace twum::motors

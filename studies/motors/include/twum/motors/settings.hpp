@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/shape.hpp>
 
@@ -9,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// The parameter with a name or symbol.
 /// @throws ValueError with the nearest names if there is none.
@@ -36,4 +37,4 @@ ParameterValue parse_setting(std::string_view text);
 /// @throws InputError with everything that is wrong, one line each.
 MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

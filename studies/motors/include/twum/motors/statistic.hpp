@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/motors/motor_limit.hpp>
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A statistic of the motors built to a design: "mean(peak_power)", "sd(no_load_speed)", "quantile(stall_torque, 5
 /// %)", "probability(no_load_speed >= 100 rpm)", "yield".
@@ -46,4 +47,4 @@ StatisticRequest parse_statistic(std::string_view text);
 /// @throws ValueError as parse_statistic()
 StatisticLimit parse_statistic_limit(std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::motors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/namespaces.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/motors/expression.hpp>
 
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::motors {
 
 /// A parameter that follows from others, such as contact_width from "0.15 * contact_radius".
 struct DerivedParameter {
@@ -79,4 +80,4 @@ class VariedParameters {
   bool fixed_static_friction_{false};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::motors
