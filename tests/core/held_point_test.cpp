@@ -232,6 +232,169 @@ TEST_CASE("derivatives of held metrics agree with differences of solving again (
   }
 }
 
+TEST_CASE(
+    "the largest held speeds are those of a second program, and hold the largest torque there "
+    "(Y4.1)",
+    "[core][held][differential]") {
+  int row = 1;
+  for (const Case& c : cases("held_limits.csv")) {
+    CAPTURE(++row, c.word("kind"));
+    const Motor motor(design_of(c));
+    const double torque = c["load_torque_Nm"], speed = c["held_speed_limit_rad_s"];
+    const MetricValue found =
+        evaluate(motor, MetricRequest{Metric::held_speed_limit_at, Argument::torque, torque});
+    REQUIRE(found.status == MetricStatus::ok);
+    CHECK(apart(found.value, speed) <= 1e-7);  // of the second program
+    // The speed as a function of the torque, and back: both are searched to 2^-46 of their bracket. Where the speed changes least
+    // with the torque that is some hundred times as much.
+    const MetricValue back =
+        evaluate(motor, MetricRequest{Metric::held_torque_limit_at, Argument::speed, found.value});
+    CHECK(std::fabs(back.value - torque) <= 1e-10 * largest_held_torque(motor.design()));
+    const HeldPoint least = least_voltage_point(motor.design(), torque, found.value);
+    CHECK(apart(least.voltage, *motor.design().stator.voltage) <= 1e-10);
+    CHECK(apart(least.amplitude, c["amplitude_m"]) <= 1e-6);
+    CHECK(held_point(motor.design(), torque, 0.999 * speed).status == HeldStatus::ok);
+    CHECK(held_point(motor.design(), torque, 1.001 * speed).status == HeldStatus::voltage_too_low);
+  }
+  CHECK(row == 29);
+}
+
+TEST_CASE("the envelope of each control is where its points end (Y4.1, Y4.2)",
+          "[core][held][limit]") {
+  MotorDesign by_frequency = test::driven_motor(), by_voltage = by_frequency;
+  by_voltage.stator.control = DriveControl::voltage;
+  MotorDesign in_range = by_frequency;
+  const double f = held_point(by_frequency, 0.5, 9).frequency;
+  in_range.stator.frequency_range = {f, 1.2 * f};
+  for (const MotorDesign& design : {by_frequency, by_voltage, in_range, test::ring_motor()}) {
+    const Motor motor(design);
+    for (const double torque : {0.0, 0.3, 0.6}) {
+      const MetricValue end =
+          evaluate(motor, MetricRequest{Metric::held_speed_limit_at, Argument::torque, torque});
+      CAPTURE(torque, to_string(end.status), end.value);
+      REQUIRE(end.status == MetricStatus::ok);
+      const HeldPoint inside = held_point(design, torque, (1 - 1e-6) * end.value);
+      CHECK(inside.status == HeldStatus::ok);
+      const HeldPoint outside = held_point(design, torque, (1 + 1e-6) * end.value);
+      const bool lower_flank =
+          outside.status == HeldStatus::ok && outside.point.phase_lag < M_PI / 2;
+      CHECK((outside.status != HeldStatus::ok || lower_flank));
+    }
+    // The amplitude's envelope is the motor's own curve.
+    if (!design.stator.voltage)
+      CHECK(
+          evaluate(motor, MetricRequest{Metric::held_torque_limit_at, Argument::speed, 3}).value ==
+          Approx(motor.operating_point(3).torque).epsilon(1e-10));
+  }
+  // By frequency the range begins where 0.5 N.m at 9 rad/s are held.
+  CHECK(evaluate(Motor(in_range), MetricRequest{Metric::held_speed_limit_at, Argument::torque, 0.5})
+            .value == Approx(9).epsilon(1e-9));
+}
+
+TEST_CASE("the largest torque at a slow speed is what friction transmits", "[core][held][limit]") {
+  const MotorDesign design = test::driven_motor();
+  const double largest = 0.23 * 170 * design.stator.contact_radius;
+  CHECK(largest_held_torque(design) == Approx(largest).epsilon(1e-14));
+  const Motor motor(design);
+  CHECK(evaluate(motor, MetricRequest{Metric::held_torque_limit_at, Argument::speed, 0.5}).value ==
+        Approx(largest).epsilon(1e-14));
+  CHECK(
+      evaluate(motor, MetricRequest{Metric::pull_out_margin_at, Argument::both, 0.5, 0.4}).value ==
+      Approx(largest - 0.4).epsilon(1e-12));
+  CHECK(evaluate(motor, MetricRequest{Metric::torque_reserve_at, Argument::both, 9, 0.4}).value ==
+        Approx(1 - 0.4 / largest).epsilon(1e-13));
+  CHECK(
+      evaluate(motor, MetricRequest{Metric::held_speed_limit_at, Argument::torque, 1.01 * largest})
+          .status == MetricStatus::torque_out_of_reach);
+}
+
+TEST_CASE("derivatives of the envelope agree with differences of solving again (Y4.3)",
+          "[core][held][derivative]") {
+  const std::vector<MetricRequest> asked{{Metric::held_speed_limit_at, Argument::torque, 0.4},
+                                         {Metric::held_torque_limit_at, Argument::speed, 15}};
+  MotorDesign by_frequency = test::driven_motor_with_layer(), by_voltage = by_frequency;
+  by_voltage.stator.control = DriveControl::voltage;
+  MotorDesign by_ratio = by_voltage;
+  by_ratio.stator.frequency_ratio =
+      by_ratio.stator.frequency / *by_ratio.stator.resonance_frequency;
+  MotorDesign in_range = test::driven_motor();
+  const double f = held_point(in_range, 0.5, 9).frequency;
+  in_range.stator.frequency_range = {f, 1.2 * f};
+  for (const MotorDesign& design :
+       {by_frequency, by_voltage, by_ratio, in_range, test::ring_motor()}) {
+    const auto check = test::against_differences(design, asked, 1e-4);
+    CAPTURE(check.where, check.compared);
+    // The corner is searched to 2^-46 of its bracket, 1e-13 of the speed: 1e-9 in differences of 1e-4.
+    CHECK(check.worst <= 1e-6);
+    CHECK(check.compared >= 10);
+  }
+}
+
+TEST_CASE("beyond the drive a metric is that of the wave that more voltage would hold (Y5.3)",
+          "[core][held][limit]") {
+  const MotorDesign strong = test::driven_motor();
+  const double torque = 0.5, speed = 9;
+  const double least = least_voltage_point(strong, torque, speed).voltage;
+  const MotorDesign weak = with(strong, Parameter::voltage, 0.9 * least),
+                    enough = with(strong, Parameter::voltage, (1 + 1e-6) * least);
+  for (const Metric metric :
+       {Metric::electrical_power_at, Metric::drive_frequency_at, Metric::amplitude_at}) {
+    const MetricRequest request{metric, Argument::both, speed, torque};
+    CHECK(evaluate(Motor(weak), request).status == MetricStatus::voltage_too_low);
+    const double beyond = evaluate_beyond_drive(Motor(weak), request).value;
+    // At the least voltage the held wave leaves R = 0 with the square root of what there is more: 1.4e-3.
+    CHECK(evaluate(Motor(enough), request).value == Approx(beyond).epsilon(2e-3));
+    CHECK(evaluate(Motor(strong), request).value ==
+          evaluate_beyond_drive(Motor(strong), request).value);
+  }
+  CHECK(
+      evaluate(Motor(weak), MetricRequest{Metric::drive_reserve_at, Argument::both, speed, torque})
+          .value == Approx(-0.1).epsilon(1e-9));
+  CHECK(evaluate(Motor(strong),
+                 MetricRequest{Metric::drive_reserve_at, Argument::both, speed, torque})
+            .value == Approx(*strong.stator.voltage / least - 1).epsilon(1e-12));
+  const double largest = largest_held_torque(strong);
+  const auto power = [&](double load) {
+    return evaluate_beyond_drive(
+        Motor(strong), MetricRequest{Metric::output_power_at, Argument::both, speed, load});
+  };
+  CHECK(power(1.2 * largest).value == Approx((1 - 1e-4) * largest * speed).epsilon(1e-12));
+  CHECK(power(-1.2 * largest).value == Approx(-(1 - 1e-4) * largest * speed).epsilon(1e-12));
+}
+
+TEST_CASE("derivatives beyond the drive agree with differences (Y5.3)",
+          "[core][held][derivative]") {
+  const MotorDesign strong = test::driven_motor_with_layer();
+  const double least = least_voltage_point(strong, 0.5, 9).voltage;
+  MotorDesign weak = with(strong, Parameter::voltage, 0.9 * least);
+  MotorDesign by_voltage = weak;
+  by_voltage.stator.control = DriveControl::voltage;
+  const double largest = largest_held_torque(strong);
+  for (const MotorDesign& design : {weak, by_voltage, strong}) {
+    for (const double torque : {0.5, 1.1 * largest}) {
+      const MetricRequest request{Metric::electrical_power_at, Argument::both, 9, torque};
+      const MetricDerivative d = differentiate_beyond_drive(Motor(design), request);
+      REQUIRE(d.value.status == MetricStatus::ok);
+      for (const Parameter p :
+           {Parameter::preload, Parameter::kinetic_friction, Parameter::contact_radius,
+            Parameter::thickness, Parameter::quality_factor, Parameter::modal_damping,
+            Parameter::force_factor, Parameter::voltage}) {
+        if (!in_use(design, p)) continue;
+        const double x = get(design, p), h = 1e-5 * x;
+        const auto at = [&](double value) {
+          return evaluate_beyond_drive(Motor(with(design, p, value)), request).value;
+        };
+        const double difference =
+            (8 * (at(x + h) - at(x - h)) - (at(x + 2 * h) - at(x - 2 * h))) / (12 * h);
+        CAPTURE(info(p).name, torque);
+        // Rounding of 1e-12 over a step of 1e-5; next to the largest torque the wave changes with the cube root of what is left of
+        // it, which the fourth power of the step times that curvature leaves below.
+        CHECK(std::fabs(d.gradient[index_of(p)] - difference) * x <= 1e-5 * d.value.value);
+      }
+    }
+  }
+}
+
 TEST_CASE("what cannot be held is refused", "[core][held][error]") {
   const MotorDesign drive = test::driven_motor_with_layer();
   CHECK_THROWS_AS(held_point(drive, 0.5, 0, DriveControl::frequency), InputError);

@@ -39,7 +39,12 @@ class Holding {
         speed_(speed),
         control_(control) {}
 
-  HeldPoint held() const {
+  HeldPoint held() const { return found_with(waves_.drive()); }
+  // A drive without force ends at R = 0, where the least voltage is needed.
+  HeldPoint with_least_voltage() const { return found_with(0); }
+
+ private:
+  HeldPoint found_with(double drive) const {
     const double torque = loaded_.torque(), most = loaded_.plateau();
     const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
     if (!transmitted && !waves_.has_static_excess())
@@ -49,21 +54,22 @@ class Holding {
       return lost ? without_wave(HeldStatus::no_periodic_state)
                   : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
-      if (const auto held = by_newton(loaded_.within(*ends))) return *held;
+      if (const auto held = by_newton(loaded_.within(*ends), drive)) return *held;
     auto wave = loaded_.settled(*ends);
     if (!wave) return without_wave(HeldStatus::no_periodic_state);
-    return control_ == DriveControl::frequency ? at_frequency(std::move(*wave)) : told(*wave);
+    return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), drive)
+                                               : told(*wave);
   }
 
- private:
-  // (Y2.1) and (Y2.3) together by Newton's method. Nothing where that does not lead straight to both, or the voltage is too low.
-  std::optional<HeldPoint> by_newton(LoadedWave w) const {
-    const double drive = waves_.drive();
+  // (Y2.1) and (Y2.3) together by Newton's method; without a drive (Y2.1) and R = 0. Nothing where that does not lead straight to
+  // both, or the voltage is too low.
+  std::optional<HeldPoint> by_newton(LoadedWave w, double drive) const {
     double last = HUGE_VAL;
     for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
       const double square = drive * drive - w.force.imaginary * w.force.imaginary;
-      if (!(square > 0)) return {};
-      const double flank = std::sqrt(square), slope = w.force.imaginary / flank;
+      if (drive > 0 && !(square > 0)) return {};
+      const double flank = drive > 0 ? std::sqrt(square) : 0;
+      const double slope = flank > 0 ? w.force.imaginary / flank : 0;
       const double gap = w.force.real + flank, missing = loaded_.torque() - w.torque;
       const double in_amplitude = w.in_amplitude.real - slope * w.in_amplitude.imaginary,
                    in_omega = w.in_omega.real - slope * w.in_omega.imaginary;
@@ -82,8 +88,7 @@ class Holding {
 
   // (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the
   // torque. Without enough voltage it leads to R = 0, where the least is needed.
-  HeldPoint at_frequency(LoadedWave w) const {
-    const double drive = waves_.drive();
+  HeldPoint at_frequency(LoadedWave w, double drive) const {
     for (int i = 0; i < kHeldRules.most_tries; ++i) {
       const double square = drive * drive - w.force.imaginary * w.force.imaginary;
       const double flank = square > 0 ? std::sqrt(square) : 0;
@@ -98,9 +103,10 @@ class Holding {
       const double room = kHeldRules.longest_in_frequency * w.omega;
       if (std::fabs(step) > room) step = std::copysign(room, step);
       if (std::fabs(step) <= kHeldRules.settled * w.omega) {
-        if (square < 0)
-          return without_wave(HeldStatus::voltage_too_low, rms_of(std::fabs(w.force.imaginary)));
-        return told(w);
+        HeldPoint found = told(w);
+        if (square < 0 && drive > 0)
+          found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
+        return found;
       }
       auto next = loaded_.followed(w, w.omega + step);
       if (!next)
@@ -173,7 +179,9 @@ const char* to_string(HeldStatus status) noexcept {
   return "not-converged";
 }
 
-HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control) {
+namespace {
+
+void require_held(const MotorDesign& design, double torque, double speed, DriveControl control) {
   require_motor(design);
   if (!std::isfinite(torque)) throw InputError("a held torque must be finite");
   if (!(speed > 0) || !std::isfinite(speed))
@@ -185,6 +193,12 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed, Dri
                      " needs the stator's modal data");
   if (control == DriveControl::frequency && !design.stator.voltage)
     throw InputError("a drive that follows by frequency needs a voltage");
+}
+
+}  // namespace
+
+HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control) {
+  require_held(design, torque, speed, control);
   return Holding(design, track_of(design, torque, speed, control), torque, speed, control).held();
 }
 
@@ -210,6 +224,19 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed) {
       break;
   }
   return held;
+}
+
+HeldPoint least_voltage_point(const MotorDesign& design, double torque, double speed) {
+  constexpr DriveControl kControl = DriveControl::frequency;
+  require_held(design, torque, speed, kControl);
+  return Holding(design, track_of(design, torque, speed, kControl), torque, speed, kControl)
+      .with_least_voltage();
+}
+
+double largest_held_torque(const MotorDesign& design) {
+  require_motor(design);
+  const DrivenWaves waves(design, track_rule(with_wave(design, design.stator.amplitude)));
+  return LoadedWaves(waves, 0, 0).plateau();
 }
 
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {

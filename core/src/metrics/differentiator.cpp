@@ -154,6 +154,11 @@ MetricDerivative Differentiator::differentiate_at_share(Metric metric, double sh
   });
 }
 
+MetricDerivative Differentiator::torque_of_full_slip() {
+  return answered({core::slipping_torque(m_), MetricStatus::ok},
+                  [&] { return of_motor([](const auto& m) { return core::slipping_torque(m); }); });
+}
+
 // Where partial turns into full contact the contact angle at the mean radius has no derivative.
 Smoothness Differentiator::of_contact_angle(const DrivenMotor<double>& m) const {
   const double gap =

@@ -36,6 +36,8 @@ class Differentiator {
   MetricDerivative differentiate(const MetricRequest& request);
   /// At a load of a share of the largest torque, which moves with the design.
   MetricDerivative differentiate_at_share(Metric metric, double share);
+  /// T_p, the torque of a contact that slips all through (T7.8).
+  MetricDerivative torque_of_full_slip();
 
   Derived fixed(double x) const { return {DesignDual(x)}; }
   /// A point metric at a speed that moves with the parameters.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/held_metrics.hpp"
 
+#include "metrics/differentiator.hpp"
+#include "metrics/wave_rows.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
 #include <twum/core/parameters.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace twum::core {
 namespace {
-
-using Gradient = std::array<double, kParameterCount>;
 
 MetricStatus status_of(HeldStatus status) {
   switch (status) {
@@ -27,63 +27,125 @@ MetricStatus status_of(HeldStatus status) {
   return MetricStatus::unresolved;
 }
 
-// torque_at and speed_at are what is given; a metric without argument has none.
-bool has_held_value(Metric metric) {
-  const Argument argument = info(metric).argument;
+// A metric without argument has no held value, nor has what is given: the torque or the speed.
+bool has_held_value(const MetricRequest& request) {
+  if (request.argument != Argument::both) return true;  // the envelope
+  const Argument argument = info(request.metric).argument;
   return argument == Argument::both || argument == Argument::speed_or_torque;
 }
 
-double& of(Gradient& g, Parameter p) { return g[index_of(p)]; }
+bool by_frequency(const MotorDesign& design) {
+  return design.stator.voltage && design.stator.control == DriveControl::frequency;
+}
 
-MetricDerivative without_derivative(MetricValue value) {
+MetricDerivative without_derivative(const MetricValue& value) {
   MetricDerivative result{value, {}, Smoothness::undefined};
   result.gradient.fill(kNoValue);
   return result;
 }
 
-// How amplitude and frequency of the wave move with each parameter so that its torque, and of a drive that follows by frequency its
-// voltage, stay what they are (Y2.6).
-struct WaveSlopes {
-  Gradient amplitude{}, frequency{};
-};
-
-WaveSlopes slopes_in_amplitude(Gradient torque) {
-  WaveSlopes slopes;
-  const double in_amplitude = of(torque, Parameter::amplitude);
-  for (std::size_t p = 0; p < kParameterCount; ++p) slopes.amplitude[p] = -torque[p] / in_amplitude;
-  return slopes;
+Row keeps_file_voltage(Row voltage) {
+  voltage[Parameter::voltage] = -1;
+  return voltage;
 }
 
-WaveSlopes slopes_in_frequency(Gradient torque, Gradient voltage) {
-  const double ta = of(torque, Parameter::amplitude), tf = of(torque, Parameter::frequency),
-               va = of(voltage, Parameter::amplitude), vf = of(voltage, Parameter::frequency);
-  const double determinant = ta * vf - tf * va;
-  of(voltage, Parameter::voltage) = -1;  // the file's is what it stays
-  WaveSlopes slopes;
-  for (std::size_t p = 0; p < kParameterCount; ++p) {
-    slopes.amplitude[p] = (tf * voltage[p] - vf * torque[p]) / determinant;
-    slopes.frequency[p] = (va * torque[p] - ta * voltage[p]) / determinant;
+Row less(Row row, const std::array<double, kParameterCount>& target, double share) {
+  for (std::size_t p = 0; p < kParameterCount; ++p) row.in[p] -= share * target[p];
+  return row;
+}
+
+// How the wave moves where the drive is at an end, whatever the torque.
+WaveSlopes slopes_at_end(const MotorDesign& design, DriveEnd end, const WaveRows& rows) {
+  switch (end) {
+    case DriveEnd::voltage:
+      return by_frequency(design) ? keeping(rows.lag, keeps_file_voltage(rows.voltage))
+                                  : keeping(keeps_file_voltage(rows.voltage));
+    case DriveEnd::upper_flank: return keeping(rows.lag);
+    case DriveEnd::frequency: {
+      WaveSlopes slopes = keeping(keeps_file_voltage(rows.voltage));
+      slopes.amplitude[Parameter::frequency] = slopes.frequency[Parameter::frequency] = 0;
+      return slopes;
+    }
+    case DriveEnd::friction:
+    case DriveEnd::amplitude: break;
   }
-  return slopes;
+  WaveSlopes file;  // its amplitude and frequency
+  file.amplitude[Parameter::amplitude] = file.frequency[Parameter::frequency] = 1;
+  return file;
+}
+
+// A frequency that the file gives by its ratio to the resonance: f = ratio f_r.
+MetricDerivative in_file_parameters(const MotorDesign& design, MetricDerivative result) {
+  auto& g = result.gradient;
+  if (!design.stator.frequency_ratio) return result;
+  double& share = g[index_of(Parameter::frequency)];
+  g[index_of(Parameter::frequency_ratio)] += share * get(design, Parameter::resonance_frequency);
+  g[index_of(Parameter::resonance_frequency)] += share * *design.stator.frequency_ratio;
+  share = 0;
+  return result;
+}
+
+Smoothness smoothness_of(const WaveRows& rows) {
+  return rows.smoothness == Smoothness::flat ? Smoothness::smooth : rows.smoothness;
 }
 
 }  // namespace
 
-const HeldMetrics::Known& HeldMetrics::known(const MetricRequest& request) {
+const Envelope& HeldMetrics::envelope() {
+  if (!envelope_) envelope_.emplace(design_);
+  return *envelope_;
+}
+
+const HeldMetrics::Known& HeldMetrics::known(double torque, double speed) {
   for (const Known& one : known_)
-    if (one.torque == request.torque && one.speed == request.at) return one;
-  Known found{request.torque, request.at, held_point(design_, request.torque, request.at), {}};
-  if (found.held.status == HeldStatus::ok) found.motor.emplace(with_held_wave(design_, found.held));
+    if (one.torque == torque && one.speed == speed) return one;
+  Known found{torque, speed, {}, {}};
+  found.held = held_point(design_, beyond_drive_ ? envelope().with_wave(torque) : torque, speed);
+  if (found.held.status == HeldStatus::ok || (beyond_drive_ && found.held.amplitude > 0))
+    found.motor.emplace(with_held_wave(design_, found.held));
   return known_.emplace_back(std::move(found));
 }
 
+Envelope::Corner HeldMetrics::corner(const MetricRequest& request) {
+  const bool at_torque = request.metric == Metric::held_speed_limit_at;
+  const Envelope::Corner found =
+      at_torque ? envelope().at_torque(request.at) : envelope().at_speed(request.at);
+  if (found.status != HeldStatus::ok) throw SearchFailure{status_of(found.status)};
+  return found;
+}
+
+double HeldMetrics::value(const MetricRequest& request) {
+  switch (request.metric) {
+    case Metric::held_speed_limit_at: return corner(request).speed;
+    case Metric::held_torque_limit_at: return corner(request).torque;
+    case Metric::pull_out_margin_at: return corner(request).torque - request.torque;
+    case Metric::torque_reserve_at:
+      return 1 - std::fabs(request.torque) / envelope().largest_torque();  // (Y5.1)
+    case Metric::drive_reserve_at: {
+      const DriveReserve found = envelope().reserve(request.torque, request.at);  // (Y5.2)
+      if (!std::isfinite(found.share)) throw SearchFailure{status_of(found.wave.status)};
+      return found.share;
+    }
+    default: break;
+  }
+  const Known& one = known(request.torque, request.at);
+  if (!one.motor) throw SearchFailure{status_of(one.held.status)};
+  const MetricValue found =
+      twum::evaluate(*one.motor, {request.metric, Argument::speed, request.at});
+  if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
+  return found.value;
+}
+
 MetricValue HeldMetrics::evaluate(const MetricRequest& request) {
-  if (!has_held_value(request.metric)) return {kNoValue, MetricStatus::undefined};
-  if (!(request.at > 0)) return {kNoValue, MetricStatus::undefined};  // at rest friction holds
+  const bool at_rest = request.metric != Metric::held_speed_limit_at && !(request.at > 0);
+  // at rest friction holds
+  if (!has_held_value(request) || at_rest) return {kNoValue, MetricStatus::undefined};
   try {
-    const Known& one = known(request);
-    if (!one.motor) return {kNoValue, status_of(one.held.status)};
-    return twum::evaluate(*one.motor, {request.metric, Argument::speed, request.at});
+    return {value(request), MetricStatus::ok};
+  } catch (const SearchFailure& failure) {
+    return {kNoValue, failure.status};
+  } catch (const EvaluationError&) {  // a search without a bracket
+    return {kNoValue, MetricStatus::unresolved};
   } catch (const InputError&) {  // no modal data, or a wave beyond those of any motor
     return {kNoValue, MetricStatus::undefined};
   }
@@ -91,37 +153,125 @@ MetricValue HeldMetrics::evaluate(const MetricRequest& request) {
 
 MetricDerivative HeldMetrics::differentiate(const MetricRequest& request,
                                             bool fixed_static_friction) {
-  const MetricValue value = evaluate(request);
-  if (value.status != MetricStatus::ok) return without_derivative(value);
-  const Known& one = known(request);
-  const bool by_frequency =
-      design_.stator.voltage && design_.stator.control == DriveControl::frequency;
-  std::vector<MetricRequest> asked{{request.metric, Argument::speed, request.at},
-                                   {Metric::torque_at, Argument::speed, request.at}};
-  if (by_frequency) asked.push_back({Metric::drive_voltage_at, Argument::speed, request.at});
-  const std::vector<MetricDerivative> found =
-      twum::differentiate(*one.motor, asked, fixed_static_friction);
-  MetricDerivative result{value, found[0].gradient, found[0].smoothness};
-  for (const MetricDerivative& d : found) {
-    if (d.smoothness == Smoothness::undefined) return without_derivative(value);
-    if (d.smoothness == Smoothness::one_sided) result.smoothness = Smoothness::one_sided;
+  const MetricValue found = evaluate(request);
+  if (found.status != MetricStatus::ok) return without_derivative(found);
+  MetricDerivative result;
+  switch (request.metric) {
+    case Metric::held_speed_limit_at:
+    case Metric::held_torque_limit_at:
+    case Metric::pull_out_margin_at:
+      result = of_envelope(request, found, fixed_static_friction);
+      break;
+    case Metric::torque_reserve_at: {
+      result = of_largest_torque(fixed_static_friction);
+      const double share = std::fabs(request.torque) / result.value.value / result.value.value;
+      for (double& d : result.gradient) d *= share;
+      break;
+    }
+    case Metric::drive_reserve_at:
+      result = of_drive_reserve(request, found, fixed_static_friction);
+      break;
+    default: result = of_wave(request, found, fixed_static_friction);
   }
+  if (result.smoothness == Smoothness::undefined) return without_derivative(found);
+  result.value = found;
+  return in_file_parameters(design_, result);
+}
+
+// T_p does not depend on the wave, so it is that of a motor with any.
+MetricDerivative HeldMetrics::of_largest_torque(bool fixed) {
+  const HeldPoint none{
+      HeldStatus::ok, design_.stator.amplitude, drive_frequency(design_), 0, 0, false, {}};
+  const Motor motor(with_held_wave(design_, none));
+  MetricDerivative result = Differentiator(motor, fixed).torque_of_full_slip();
+  result.value.value = envelope().largest_torque();
+  return result;
+}
+
+// The wave keeps its torque, and where the frequency follows the file's voltage; beyond the drive it keeps R = 0.
+MetricDerivative HeldMetrics::of_wave(const MetricRequest& request, const MetricValue& value,
+                                      bool fixed) {
+  const Known& one = known(request.torque, request.at);
+  const bool follows = by_frequency(design_);
+  WaveRows rows = wave_rows(*one.motor, request.at, follows, fixed);
+  if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
+  if (const double nearest = envelope().with_wave(request.torque);
+      beyond_drive_ && nearest != request.torque)
+    rows.torque =
+        less(rows.torque, of_largest_torque(fixed).gradient, nearest / envelope().largest_torque());
+  const bool weak = one.held.status == HeldStatus::voltage_too_low;
+  const WaveSlopes slopes =
+      follows ? keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage))
+              : keeping(rows.torque);
+  const std::vector<MetricRequest> asked{{request.metric, Argument::speed, request.at}};
+  MetricDerivative result = twum::differentiate(*one.motor, asked, fixed).front();
+  result.gradient = slopes.followed({result.gradient, 0}).in;
+  result.smoothness = std::max(result.smoothness, smoothness_of(rows));
   if (result.smoothness == Smoothness::flat) result.smoothness = Smoothness::smooth;
-  Gradient& g = result.gradient;
-  const double in_amplitude = of(g, Parameter::amplitude),
-               in_frequency = of(g, Parameter::frequency);
-  const WaveSlopes wave = by_frequency ? slopes_in_frequency(found[1].gradient, found[2].gradient)
-                                       : slopes_in_amplitude(found[1].gradient);
-  for (std::size_t p = 0; p < kParameterCount; ++p)
-    g[p] += in_amplitude * wave.amplitude[p] + in_frequency * wave.frequency[p];
-  of(g, Parameter::amplitude) = 0;
-  if (by_frequency) {
-    of(g, Parameter::frequency) = 0;
-  } else if (design_.stator.frequency_ratio) {  // f = ratio f_r
-    const double share = of(g, Parameter::frequency);
-    of(g, Parameter::frequency_ratio) += share * get(design_, Parameter::resonance_frequency);
-    of(g, Parameter::resonance_frequency) += share * *design_.stator.frequency_ratio;
-    of(g, Parameter::frequency) = 0;
+  return result;
+}
+
+MetricDerivative HeldMetrics::of_envelope(const MetricRequest& request, const MetricValue& value,
+                                          bool fixed) {
+  const Envelope::Corner at = corner(request);
+  if (at.end == DriveEnd::friction) return of_largest_torque(fixed);
+  const Motor motor(with_held_wave(design_, at.wave));
+  const WaveRows rows = wave_rows(motor, at.speed, at.end != DriveEnd::amplitude, fixed);
+  if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
+  const Row torque = slopes_at_end(design_, at.end, rows).followed(rows.torque);
+  MetricDerivative result{value, torque.in, smoothness_of(rows)};
+  if (request.metric == Metric::held_speed_limit_at)  // the torque at the end of the drive stays
+    for (double& d : result.gradient) d /= -torque.in_speed;
+  return result;
+}
+
+// The least that would do moves with the wave that keeps its torque: (Y2.6) with R = 0 where the frequency follows.
+MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
+                                               const MetricValue& value, bool fixed) {
+  const DriveReserve there = envelope().reserve(request.torque, request.at);
+  const Motor motor(with_held_wave(design_, there.wave));
+  const bool modes = there.end != DriveEnd::amplitude;
+  WaveRows rows = wave_rows(motor, request.at, modes, fixed);
+  if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
+  const double nearest = envelope().with_wave(request.torque);
+  if (nearest != request.torque)
+    rows.torque =
+        less(rows.torque, of_largest_torque(fixed).gradient, nearest / envelope().largest_torque());
+  const bool follows = by_frequency(design_);
+  MetricDerivative result{value, {}, smoothness_of(rows)};
+  const auto set = [&](const Row& needs, double per_need, Parameter has, double per_has) {
+    for (std::size_t p = 0; p < kParameterCount; ++p) result.gradient[p] = per_need * needs.in[p];
+    if (per_has != 0) result.gradient[index_of(has)] += per_has;
+  };
+  const double amplitude = there.wave.amplitude, voltage = there.wave.voltage;
+  switch (there.end) {
+    case DriveEnd::amplitude: {
+      Row needs;
+      needs[Parameter::amplitude] = 1;
+      set(keeping(rows.torque).followed(needs), -(value.value + 1) / amplitude,
+          Parameter::amplitude, 1 / amplitude);
+      break;
+    }
+    case DriveEnd::voltage:
+      set((follows ? keeping(rows.torque, rows.lag) : keeping(rows.torque)).followed(rows.voltage),
+          -(value.value + 1) / voltage, Parameter::voltage, 1 / voltage);
+      break;
+    case DriveEnd::upper_flank:  // -cos of the lag
+      set(keeping(rows.torque).followed(rows.lag), std::sin(there.wave.point.phase_lag),
+          Parameter::voltage, 0);
+      break;
+    case DriveEnd::frequency: {
+      const bool weak = there.wave.voltage > *design_.stator.voltage;
+      const auto& range = *design_.stator.frequency_range;
+      Row needs;
+      needs[Parameter::frequency] = 1;
+      const bool low =
+          there.wave.frequency / range.first - 1 <= 1 - there.wave.frequency / range.second;
+      set(keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage)).followed(needs),
+          low ? 1 / range.first : -1 / range.second, Parameter::voltage, 0);
+      break;
+    }
+    case DriveEnd::friction: return without_derivative(value);
   }
   return result;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/held_point.hpp>
+#include "held/envelope.hpp"
+
 #include <twum/core/metrics.hpp>
 
 #include <deque>
@@ -9,25 +10,44 @@
 
 namespace twum::core {
 
+/// True for what HeldMetrics answers: metrics at a torque and a speed, and the envelope.
+constexpr bool is_held(const MetricRequest& request) {
+  return request.argument == Argument::both || request.metric == Metric::held_speed_limit_at ||
+         request.metric == Metric::held_torque_limit_at;
+}
+
 /// Metrics where the drive holds a torque at a speed (Y2.5): those of the motor under the held wave, at the speed. A wave
 /// that several metrics need is found once.
 class HeldMetrics {
  public:
-  explicit HeldMetrics(const MotorDesign& design) : design_(design) {}
+  /// @param beyond_drive  what the drive cannot hold has the metrics of the nearest wave (Y5.3) in place of a status
+  explicit HeldMetrics(const MotorDesign& design, bool beyond_drive = false)
+      : design_(design), beyond_drive_(beyond_drive) {}
 
   MetricValue evaluate(const MetricRequest& request);
   /// With derivatives in all parameters (Y2.6).
   MetricDerivative differentiate(const MetricRequest& request, bool fixed_static_friction);
 
  private:
+  /// A torque at a speed, and the motor under the wave that holds it.
   struct Known {
     double torque, speed;
     HeldPoint held;
-    std::optional<Motor> motor;  ///< under the held wave
+    std::optional<Motor> motor;
   };
-  const Known& known(const MetricRequest& request);
+  const Known& known(double torque, double speed);
+  const Envelope& envelope();
+  double value(const MetricRequest& request);
+  MetricDerivative of_wave(const MetricRequest& request, const MetricValue& value, bool fixed);
+  MetricDerivative of_envelope(const MetricRequest& request, const MetricValue& value, bool fixed);
+  MetricDerivative of_drive_reserve(const MetricRequest& request, const MetricValue& value,
+                                    bool fixed);
+  MetricDerivative of_largest_torque(bool fixed);
+  Envelope::Corner corner(const MetricRequest& request);
 
   const MotorDesign& design_;
+  bool beyond_drive_;
+  std::optional<Envelope> envelope_;
   std::deque<Known> known_;  // references stay valid
 };
 

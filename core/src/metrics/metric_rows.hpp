@@ -11,6 +11,13 @@
 
 namespace twum::core {
 
+/// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
+template <typename S>
+S layer_aspect(const DrivenMotor<S>& m) {
+  if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
+  return m.thickness / (2.0 * m.contact.half_length);
+}
+
 /// A point metric from the numbers of a point (T7.1 to T7.9); S is double or carries derivatives. The one place for these
 /// formulas; a metric without its line does not compile (-Werror=switch).
 template <typename S>
@@ -29,6 +36,8 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::speed_at: return speed;
     case M::amplitude_at: return m.amplitude;
     case M::drive_frequency_at: return m.omega / (2 * std::numbers::pi);
+    case M::max_pressure_at: return largest_pressure(m);
+    case M::layer_aspect_at: return layer_aspect(m);
     // of the stator's modes, see wave_metric()
     case M::phase_lag_at:
     case M::electrical_power_at:
@@ -41,7 +50,14 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::sensor_phase_at:
     case M::drive_voltage_at:
     case M::loaded_resonance:
+    // of a drive that follows, see HeldMetrics
+    case M::held_speed_limit_at:
+    case M::held_torque_limit_at:
+    case M::pull_out_margin_at:
+    case M::torque_reserve_at:
+    case M::drive_reserve_at:
     // numbers of the motor, see metric_row()
+    case M::ceramic_stress_at:
     case M::max_overall_efficiency:
     case M::speed_at_max_overall_efficiency:
     case M::pull_out_torque:
@@ -71,13 +87,6 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::pressure_nonuniformity: break;
   }
   return S(0.0);
-}
-
-/// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
-template <typename S>
-S layer_aspect(const DrivenMotor<S>& m) {
-  if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
-  return m.thickness / (2.0 * m.contact.half_length);
 }
 
 /// True for the signals of a sensor electrode.
@@ -238,11 +247,23 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::sensor_voltage_at:
     case M::sensor_phase_at:
     case M::drive_frequency_at:
-    case M::drive_voltage_at: break;
+    case M::drive_voltage_at:
+    case M::max_pressure_at:
+    case M::layer_aspect_at:
+    case M::ceramic_stress_at: break;
+    case M::held_speed_limit_at:
+    case M::held_torque_limit_at:
+    case M::pull_out_margin_at:
+    case M::torque_reserve_at:
+    case M::drive_reserve_at: throw SearchFailure{MetricStatus::undefined};  // see HeldMetrics
   }
-  return request.argument == Argument::torque
-             ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))
-             : to.at(request.metric, to.fixed(request.at));
+  const typename Answers::Number speed =
+      request.argument == Argument::torque
+          ? to.crossing(search.speed_at(request.at), to.fixed(request.at))
+          : to.fixed(request.at);
+  if (request.metric == M::ceramic_stress_at)
+    return to.product(to.of_plate(PlateNumber::ceramic_stress), to.at(M::amplitude_at, speed));
+  return to.at(request.metric, speed);
 }
 
 }  // namespace twum::core

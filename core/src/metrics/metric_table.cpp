@@ -112,6 +112,23 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "frequency with which the drive holds a torque at a speed"},
     {M::drive_voltage_at, "drive_voltage_at", "V", A::both,
      "voltage of a phase with which the drive holds a torque at a speed, rms", kModes},
+    {M::max_pressure_at, "max_pressure_at", "Pa", A::speed_or_torque,
+     "pressure at the crest of the wave at a speed or torque, the largest over the track"},
+    {M::layer_aspect_at, "layer_aspect_at", "1", A::speed_or_torque,
+     "thickness of the layer over the length of one contact zone at a speed or torque"},
+    {M::ceramic_stress_at, "ceramic_stress_at", "Pa", A::speed_or_torque,
+     "largest bending stress of the ceramic at a speed or torque", !kModes, kGeometry},
+    {M::held_speed_limit_at, "held_speed_limit_at", "rad/s", A::torque,
+     "largest speed at which the drive, which follows, holds a torque"},
+    {M::held_torque_limit_at, "held_torque_limit_at", "N.m", A::speed,
+     "largest torque that the drive, which follows, holds at a speed"},
+    {M::pull_out_margin_at, "pull_out_margin_at", "N.m", A::both,
+     "largest torque that the drive, which follows, holds at a speed, minus a torque"},
+    {M::torque_reserve_at, "torque_reserve_at", "1", A::both,
+     "1 - torque / mu F_N r: the share of the transmitted torque that is left"},
+    {M::drive_reserve_at, "drive_reserve_at", "1", A::both,
+     "voltage or amplitude of the drive, which follows, over the least that holds a torque at a "
+     "speed, minus 1"},
 }};
 
 constexpr bool every_metric_in_its_place() {

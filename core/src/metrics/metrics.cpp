@@ -38,7 +38,7 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
   std::vector<MetricValue> values;
   values.reserve(requests.size());
   for (const MetricRequest& request : requests) {
-    if (request.argument == Argument::both) {
+    if (is_held(request)) {
       values.push_back(held.evaluate(request));
       continue;
     }
@@ -49,8 +49,8 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
-  return request.argument == Argument::both ? HeldMetrics(motor.design()).evaluate(request)
-                                            : Evaluator(motor).evaluate(request);
+  return is_held(request) ? HeldMetrics(motor.design()).evaluate(request)
+                          : Evaluator(motor).evaluate(request);
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
@@ -65,7 +65,7 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
   for (const MetricRequest& request : requests) {
-    if (request.argument == Argument::both) {
+    if (is_held(request)) {
       derivatives.push_back(held.differentiate(request, fixed_static_friction));
       continue;
     }
@@ -73,6 +73,15 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
     derivatives.push_back(differentiator->differentiate(request));
   }
   return derivatives;
+}
+
+MetricValue evaluate_beyond_drive(const Motor& motor, const MetricRequest& request) {
+  return HeldMetrics(motor.design(), true).evaluate(request);
+}
+
+MetricDerivative differentiate_beyond_drive(const Motor& motor, const MetricRequest& request,
+                                            bool fixed_static_friction) {
+  return HeldMetrics(motor.design(), true).differentiate(request, fixed_static_friction);
 }
 
 MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,

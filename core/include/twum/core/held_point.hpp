@@ -21,7 +21,8 @@ enum class HeldStatus : unsigned char {
 /// Short machine-readable word, such as "voltage-too-low"; "ok" for ok. Static lifetime.
 const char* to_string(HeldStatus status) noexcept;
 
-/// A torque held at a speed. Numbers are NaN where there is no such wave.
+/// A torque held at a speed. Numbers are NaN where there is no such wave; where only the drive is too weak they are those of the
+/// wave that would hold the torque.
 struct HeldPoint {
   HeldStatus status{HeldStatus::ok};  ///< ok, or why the drive cannot hold it
   double amplitude{0};                ///< A of the wave [m]
@@ -33,7 +34,7 @@ struct HeldPoint {
   double needed{0};
   /// True if the rotor would leave the speed under this torque at a fixed drive: only a controller of the speed holds it.
   bool by_control_only{false};
-  OperatingPoint point{};  ///< of the motor under this wave, where status is ok
+  OperatingPoint point{};  ///< of the motor under this wave, where there is one
 };
 
 /// The wave of the smallest amplitude that carries a torque at a speed (Y2.1), and the drive that holds it (Y2.2, Y2.3).
@@ -46,6 +47,15 @@ struct HeldPoint {
 HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control);
 /// The same as the design's drive holds it: with its control, within its voltage or amplitude and its range of frequencies.
 HeldPoint held_point(const MotorDesign& design, double torque, double speed);
+
+/// The wave at the lowest voltage with which any frequency holds the torque at the speed: R = 0 (Y4.1). Its `voltage` is that
+/// voltage, whatever the design's.
+/// @throws InputError as held_point() for a drive that follows by frequency
+HeldPoint least_voltage_point(const MotorDesign& design, double torque, double speed);
+
+/// T_p, the torque of a contact that slips and drives all through: no drive holds more where mu_0 = mu [N m].
+/// @throws InputError for an impossible motor
+double largest_held_torque(const MotorDesign& design);
 
 /// The motor with the wave of a held point in place of its drive: its amplitude and frequency are given.
 /// @throws InputError if they lie outside the ranges of a motor

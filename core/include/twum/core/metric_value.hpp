@@ -54,7 +54,15 @@ enum class Metric : unsigned char {
   sensor_voltage_at,
   sensor_phase_at,
   drive_frequency_at,
-  drive_voltage_at
+  drive_voltage_at,
+  max_pressure_at,
+  layer_aspect_at,
+  ceramic_stress_at,
+  held_speed_limit_at,
+  held_torque_limit_at,
+  pull_out_margin_at,
+  torque_reserve_at,
+  drive_reserve_at
 };
 
 /// Argument that a metric takes.

@@ -14,7 +14,7 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 50;
+inline constexpr std::size_t kMetricCount = 58;
 
 /// One row of the metric table.
 struct MetricInfo {
@@ -106,6 +106,15 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share);
 MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
                                         bool fixed_static_friction = false);
+/// @}
+
+/// A metric at a torque and a speed that the drive cannot hold: that of the wave that more voltage or amplitude, or another
+/// frequency, would hold, or of (1 - 1e-4) of the largest torque where the torque is beyond that (Y5.3). Continuous where the drive
+/// just holds it, so that an optimizer outside gets numbers; torque_reserve_at and drive_reserve_at tell how far it has to go.
+/// @{
+MetricValue evaluate_beyond_drive(const Motor& motor, const MetricRequest& request);
+MetricDerivative differentiate_beyond_drive(const Motor& motor, const MetricRequest& request,
+                                            bool fixed_static_friction = false);
 /// @}
 
 }  // namespace twum

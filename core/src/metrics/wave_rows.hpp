@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+
+#include <array>
+
+namespace twum::core {
+
+/// Derivatives in every parameter, with the others in use held, and in the speed.
+struct Row {
+  std::array<double, kParameterCount> in{};
+  double in_speed{0};
+
+  double& operator[](Parameter p) { return in[index_of(p)]; }
+  double operator[](Parameter p) const { return in[index_of(p)]; }
+};
+
+/// What determines a wave that a drive holds: derivatives of a motor of given amplitude and frequency at a speed.
+struct WaveRows {
+  Row torque, voltage, lag;
+  Smoothness smoothness{Smoothness::smooth};
+};
+
+/// @param speed  [rad/s], more than 0
+/// @param modes  false: the torque alone
+WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_static_friction);
+
+/// How amplitude and frequency of the wave move so that what it has to keep is kept (Y2.6).
+struct WaveSlopes {
+  Row amplitude, frequency;
+
+  /// A row with the wave following.
+  Row followed(Row row) const;
+};
+
+/// Both follow.
+WaveSlopes keeping(const Row& one, const Row& other);
+/// The amplitude follows; the frequency is given.
+WaveSlopes keeping(const Row& one);
+
+}  // namespace twum::core
