@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search_support.hpp"
 
+#include <twum/core/held_point.hpp>
+
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace twum;
 using namespace twum::test;
@@ -24,6 +28,69 @@ TEST_CASE("the motor for a duty has just the preload that carries it (C8.5)", "[
   REQUIRE(s.optimum().best.constraints.size() == 1);
   CHECK(s.optimum().best.constraints[0].text == "torque_at(20 rpm) >= 0.5 N.m");
   CHECK(s.optimum().best.constraints[0].active);
+}
+
+TEST_CASE(
+    "with a drive that follows the least preload is what friction takes, with its reserve (C8.5, "
+    "Y5.1)",
+    "[studies][size][held]") {
+  // At 20 rpm an amplitude below that of the motor lets the whole contact slip.
+  const StudyFile file =
+      study_of("elastic-layer", "",
+               "{kind: size, variables: {preload: {min: 40 N, max: 300 N}}, drive: follows, "
+               "prefer: preload, "
+               "duty: [{torque: 0.5 N.m, speed: 20 rpm}, {torque: 0.2 N.m, speed: 40 rpm}]}");
+  const ElasticLayer exact{file.motor.design};
+  const Search s(file);
+  CHECK(s.answer.outcome == "optimal");
+  CHECK_THAT(value(s.optimum().best.design, "preload"),
+             WithinRel(0.5 / exact.plateau_torque(1) / (1 - 1e-4), 1e-7));
+  // Two reserves for each point, the first one of which binds.
+  REQUIRE(s.optimum().best.constraints.size() == 4);
+  for (const LimitState& limit : s.optimum().best.constraints) CHECK(limit.implied);
+  CHECK(s.optimum().best.constraints[0].text == "torque_reserve_at(0.5 N.m, 20 rpm) >= 1e-04");
+  CHECK(s.optimum().best.constraints[0].active);
+}
+
+TEST_CASE("with a drive that follows a limit on the pressure holds at every point of the duty",
+          "[studies][size][held]") {
+  const StudyFile file = study_of(
+      "elastic-layer", "",
+      "{kind: size, variables: {preload: {min: 40 N, max: 300 N}, thickness: {min: 0.2 mm, max: "
+      "0.5 mm}}, "
+      "drive: follows, duty: [{torque: 0.5 N.m, speed: 20 rpm}, {torque: 0.2 N.m, speed: 90 rpm}], "
+      "limits: [max_pressure <= 9 MPa, layer_aspect <= 0.2]}");
+  const Search s(file);
+  std::vector<std::string> texts;
+  for (const LimitState& limit : s.optimum().best.constraints) texts.push_back(limit.text);
+  for (const char* text :
+       {"max_pressure_at(0.5 N.m, 20 rpm) <= 9 MPa", "max_pressure_at(0.2 N.m, 90 rpm) <= 9 MPa",
+        "layer_aspect_at(0.5 N.m, 20 rpm) <= 0.2", "layer_aspect_at(0.2 N.m, 90 rpm) <= 0.2"})
+    CHECK(std::find(texts.begin(), texts.end(), text) != texts.end());
+  CHECK(s.optimum().goal.text ==
+        "max(max_pressure_at(0.5 N.m, 20 rpm), max_pressure_at(0.2 N.m, 90 rpm))");
+  // The answer tells each point of the duty.
+  for (const char* text : {"amplitude_at(0.5 N.m, 20 rpm)", "pull_out_margin_at(0.2 N.m, 90 rpm)"})
+    CHECK(value(s.optimum().best.metrics, text) > 0);
+}
+
+TEST_CASE(
+    "a search beyond the end of the drive comes back to motors that hold the torque (Y5.2, Y5.3)",
+    "[studies][optimize][held]") {
+  // The start holds nothing at its 20 V.
+  const StudyFile file =
+      study_of("driven-ring", "{voltage: 20 V}",
+               "{kind: optimize, variables: {voltage: {min: 10 V, max: 150 V}}, minimize: voltage, "
+               "constraints: ['electrical_power_at(0.4 N.m, 90 rpm) <= 40 W']}");
+  const Search s(file);
+  CHECK(s.answer.outcome == "optimal");
+  MotorDesign design = file.motor.design;
+  const double voltage = value(s.optimum().best.design, "voltage");
+  CHECK_THAT(
+      voltage,
+      WithinRel((1 + 1e-4) * least_voltage_point(design, 0.4, 3 * 3.14159265358979).voltage, 1e-7));
+  CHECK(held_point(with(design, Parameter::voltage, voltage), 0.4, 3 * 3.14159265358979).status ==
+        HeldStatus::ok);
 }
 
 TEST_CASE("a start that cannot carry a load is no failure, and leads to one that can",

@@ -250,16 +250,24 @@ Shape<SizeStudy> SizeStudy::shape() {
   using S = SizeStudy;
   auto duty = list("operating points the motor must reach", duty_point());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
-  return mapping<S>("a motor for a duty",
-                    {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-                     choose_field<S>(), required<S>("duty", duty, &S::duty),
-                     limits_field("limits", &S::limits), tolerances_field<S>(),
-                     standard<S>("prefer",
-                                 wanted("what is minimized among the motors that carry the duty",
-                                        false, "max_pressure"),
-                                 &S::prefer),
-                     solver_field<S>(), start_field<S>()},
-                    check_robust_search<S>);
+  return mapping<S>(
+      "a motor for a duty",
+      {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
+       choose_field<S>(), required<S>("duty", duty, &S::duty),
+       standard<S>(
+           "drive",
+           word<DutyDrive>(
+               "what reaches the points of the duty: one setting of the drive, or a drive that "
+               "follows and holds each of them",
+               {"fixed", "follows"}),
+           &S::drive),
+       limits_field("limits", &S::limits), tolerances_field<S>(),
+       standard<S>(
+           "prefer",
+           wanted("what is minimized among the motors that carry the duty", false, "max_pressure"),
+           &S::prefer),
+       solver_field<S>(), start_field<S>()},
+      check_robust_search<S>);
 }
 
 Shape<CalibrateStudy> CalibrateStudy::shape() {

@@ -2,6 +2,7 @@
 #include "problem/motor_responses.hpp"
 
 #include "problem/combinations.hpp"
+#include "problem/held_duty.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace twum::studies {
 namespace {
@@ -62,10 +62,9 @@ constexpr double kLeastReserve = 1e-4;
 
 ImpliedLimit reserve_limit(Metric metric, const MetricRequest& held, double least) {
   const MetricRequest reserve{metric, Argument::both, held.at, held.torque};
-  const std::string text = std::string(info(metric).name) + "(" + number_text(held.torque) +
-                           " N.m, " + rounded_text(held.at * 30 / std::numbers::pi, 10) + " rpm)";
-  MetricExpression expression = parse_metric(text);
-  expression.terms = {reserve};  // to the last digit
+  const std::string text =
+      std::string(info(metric).name) + "(" + held_arguments({held.torque, held.at}) + ")";
+  const MetricExpression expression = parse_metric(text);
   return {{text + " >= " + number_text(least), expression, least}, reserve};
 }
 
@@ -98,16 +97,19 @@ bool ImpliedLimit::is_about(const MetricExpression& metric) const {
 
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   std::vector<ImpliedLimit> limits;
-  for (const MetricExpression& metric : asked(problem)) {
-    for (const Term& term : metric.terms) {
-      const auto* request = std::get_if<MetricRequest>(&term);
-      if (request == nullptr || !ends_at_a_limit(*request)) continue;
-      const bool known = std::any_of(limits.begin(), limits.end(), [&](const ImpliedLimit& l) {
-        return same_argument(*request, *l.argument);
-      });
-      if (!known) add_limits_of(*request, metric, problem.motor.stator, limits);
-    }
-  }
+  const auto add = [&](const MetricRequest& request, const MetricExpression& metric) {
+    const bool known = std::any_of(limits.begin(), limits.end(), [&](const ImpliedLimit& l) {
+      return same_argument(request, *l.argument);
+    });
+    if (!known) add_limits_of(request, metric, problem.motor.stator, limits);
+  };
+  for (const DutyPoint& point : problem.held)
+    add({Metric::amplitude_at, Argument::both, point.speed, point.torque}, {});
+  for (const MetricExpression& metric : asked(problem))
+    for (const Term& term : metric.terms)
+      if (const auto* request = std::get_if<MetricRequest>(&term);
+          request != nullptr && ends_at_a_limit(*request))
+        add(*request, metric);
   if (orders_friction(problem))
     limits.push_back({{"static_friction >= kinetic_friction", parse_metric("static_friction"), 0}});
   return limits;

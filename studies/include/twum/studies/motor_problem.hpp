@@ -50,6 +50,18 @@ struct DesignChoice {
 /// Largest number of combinations of sets. Each combination is solved separately.
 inline constexpr std::size_t kMostCombinations = 64;
 
+/// An operating point that a motor has to reach.
+struct DutyPoint {
+  double torque{0};  ///< load [N m]
+  double speed{0};   ///< of the rotor [rad/s]
+};
+
+/// How a motor reaches the points of its duty.
+enum class DutyDrive : unsigned char {
+  fixed,  ///< all of them at one setting of its drive: its torque at each speed is at least the load
+  follows  ///< each of them held by its drive, which follows (held_point())
+};
+
 /// A design question about a motor: variables, objectives and limits.
 ///
 ///     DesignProblem problem{motor};
@@ -64,6 +76,7 @@ struct DesignProblem {
   std::vector<MotorLimit> limits{};           ///< what must hold
   std::vector<DerivedParameter> derived{};    ///< what follows from the variables
   std::vector<DesignChoice> choices{};        ///< sets of parameters, applied before the variables
+  std::vector<DutyPoint> held{};              ///< what the drive, which follows, has to hold
 
   /// Lets a parameter vary from min to max [SI] on a linear or logarithmic scale. It is checked by motor_problem().
   DesignProblem& vary(Parameter parameter, double min, double max, bool log = false);

@@ -39,12 +39,6 @@ struct DesignFront {
 /// @throws InputError as motor_problem() and optim::pareto_front()
 DesignFront solve_front(const DesignProblem& problem, const optim::ParetoOptions& options = {});
 
-/// An operating point that a motor has to reach.
-struct DutyPoint {
-  double torque{0};  ///< load [N m]
-  double speed{0};   ///< of the rotor [rad/s]
-};
-
 /// A duty point from texts with units: duty_point("0.5 N.m", "100 rpm").
 /// @throws InputError naming what is wrong
 DutyPoint duty_point(std::string_view torque, std::string_view speed);
@@ -62,9 +56,13 @@ DutyPoint duty_point(std::string_view torque, std::string_view speed);
 /// @throws InputError as solve(), and for an empty duty
 /// @{
 DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
-                  const optim::SolveOptions& options = {});
+                  const optim::SolveOptions& options = {}, DutyDrive drive = DutyDrive::fixed);
 DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,
-                  const optim::SolveOptions& options = {});
+                  const optim::SolveOptions& options = {}, DutyDrive drive = DutyDrive::fixed);
 /// @}
+
+/// The question whose motors hold each point of a duty with a drive that follows. Limits on max_pressure, layer_aspect and
+/// ceramic_stress hold at each of them, and goals are those of the worst of them.
+DesignProblem held_at(DesignProblem problem, std::span<const DutyPoint> duty);
 
 }  // namespace twum::studies

@@ -174,6 +174,7 @@ struct SizeStudy {
   std::vector<DerivedParameter> derived;   ///< what follows from the variables
   std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
   std::vector<MotorLimit> duty;            ///< torque_at(SPEED) >= LOAD of each point
+  DutyDrive drive{DutyDrive::fixed};       ///< how the motor reaches these points
   std::vector<MotorLimit> limits;          ///< what else must hold
   std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy

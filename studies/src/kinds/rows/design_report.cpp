@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/rows/design_report.hpp"
 
+#include "problem/held_duty.hpp"
 #include "problem/motor_responses.hpp"
 
 #include <twum/base/error.hpp>
@@ -25,6 +26,20 @@ std::vector<double> values_of(const MotorDesign& design,
   for (const MetricValue& answer : answers)
     values.push_back(answer.status == MetricStatus::ok ? answer.value : kNoValue);
   return values;
+}
+
+// What a designer wants to know of a torque that the drive holds at a speed.
+std::vector<Metric> told_of_a_duty(const Stator& stator) {
+  using M = Metric;
+  if (!stator.voltage) return {M::amplitude_at, M::efficiency_at, M::pull_out_margin_at};
+  const bool by_frequency = stator.control == DriveControl::frequency;
+  return {by_frequency ? M::drive_frequency_at : M::drive_voltage_at,
+          M::phase_current_at,
+          M::electrical_power_at,
+          M::overall_efficiency_at,
+          M::amplitude_at,
+          M::squeal_rate_at,
+          M::pull_out_margin_at};
 }
 
 std::vector<MotorLimit> all_limits(const DesignProblem& problem) {
@@ -75,6 +90,9 @@ DesignReporter::DesignReporter(const DesignProblem& problem,
   };
   for (const DesignObjective& objective : problem.objectives) add(objective.metric);
   for (const MotorLimit& limit : problem.limits) add(limit.metric);
+  for (const DutyPoint& point : problem.held)
+    for (const Metric metric : told_of_a_duty(problem.motor.stator))
+      add(parse_metric(std::string(info(metric).name) + "(" + held_arguments(point) + ")"));
 }
 
 std::vector<Goal> DesignReporter::goals() const {

@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search/optimum.hpp"
 
+#include <twum/studies/sizing.hpp>
+
 namespace twum::studies {
 namespace {
 
 // The duty comes first among the limits.
-std::vector<MotorLimit> limits_of(const SizeStudy& asked) {
-  std::vector<MotorLimit> limits = asked.duty;
-  limits.insert(limits.end(), asked.limits.begin(), asked.limits.end());
-  return limits;
+DesignProblem posed(const SizeStudy& asked) {
+  DesignProblem problem{{},           asked.variables, {asked.prefer},
+                        asked.limits, asked.derived,   asked.choose};
+  if (asked.drive == DutyDrive::fixed) {
+    problem.limits.insert(problem.limits.begin(), asked.duty.begin(), asked.duty.end());
+    return problem;
+  }
+  std::vector<DutyPoint> duty;
+  for (const MotorLimit& limit : asked.duty)
+    duty.push_back({limit.lower, limit.metric.request()->at});
+  return held_at(std::move(problem), duty);
 }
 
 // Among the motors that carry the duty within the limits, finds the one with the best preferred metric.
 class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)
-      : OptimumRun(
-            file,
-            {{}, asked.variables, {asked.prefer}, limits_of(asked), asked.derived, asked.choose},
-            {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
+      : OptimumRun(file, posed(asked), {asked.tolerances, asked.statistics}, asked.solver,
+                   asked.start) {}
 };
 
 }  // namespace
