@@ -67,7 +67,7 @@ TEST_CASE("with a drive that follows a limit on the pressure holds at every poin
        {"max_pressure_at(0.5 N.m, 20 rpm) <= 9 MPa", "max_pressure_at(0.2 N.m, 90 rpm) <= 9 MPa",
         "layer_aspect_at(0.5 N.m, 20 rpm) <= 0.2", "layer_aspect_at(0.2 N.m, 90 rpm) <= 0.2"})
     CHECK(std::find(texts.begin(), texts.end(), text) != texts.end());
-  CHECK(s.optimum().goal.text ==
+  CHECK(s.optimum().goal.metric ==
         "max(max_pressure_at(0.5 N.m, 20 rpm), max_pressure_at(0.2 N.m, 90 rpm))");
   // The answer tells each point of the duty.
   for (const char* text : {"amplitude_at(0.5 N.m, 20 rpm)", "pull_out_margin_at(0.2 N.m, 90 rpm)"})
@@ -79,7 +79,7 @@ TEST_CASE(
     "[studies][optimize][held]") {
   // The start holds nothing at its 20 V.
   const StudyFile file =
-      study_of("driven-ring", "{voltage: 20 V}",
+      study_of("drive-60", "{voltage: 20 V}",
                "{kind: optimize, variables: {voltage: {min: 10 V, max: 150 V}}, minimize: voltage, "
                "constraints: ['electrical_power_at(0.4 N.m, 90 rpm) <= 40 W']}");
   const Search s(file);

@@ -26,7 +26,6 @@ struct LimitState {
   std::string metric;    ///< what is limited: one side, or left minus right
   std::string unit;      ///< SI unit of the metric
   bool at_least{false};  ///< a lower limit
-  bool implied{false};   ///< it follows from the metrics that were asked for
   /// value of the metric; NaN if the motor has none, such as a speed at a load that it cannot carry
   double value{0};
   double limit{0};       ///< SI; if there are two ends, the active or nearer one
@@ -39,6 +38,7 @@ struct LimitState {
   double upper{0};  ///< upper end of the metric, SI; infinity: none
   /// violation up to which the limit counts as kept (O2.1), SI; NaN: the design was not certified
   double tolerance{std::numeric_limits<double>::quiet_NaN()};
+  bool implied{false};  ///< it follows from the metrics that were asked for
 };
 
 /// A variable at the end of its range, SI.
