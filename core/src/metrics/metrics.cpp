@@ -3,6 +3,7 @@
 
 #include "metrics/differentiator.hpp"
 #include "metrics/held_metrics.hpp"
+#include "metrics/held_traps.hpp"
 
 #include <limits>
 
@@ -11,6 +12,7 @@ namespace twum {
 using namespace core;
 
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
+  const HeldTraps traps;
   SpeedDerivative d;
   d.point = motor.operating_point(speed);
   if (d.point.status != PointStatus::ok) {
@@ -33,6 +35,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
 }
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+  const HeldTraps traps;
   std::optional<Evaluator> evaluator;
   HeldMetrics held(motor.design());
   std::vector<MetricValue> values;
@@ -49,17 +52,25 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
+  const HeldTraps traps;
   return is_held(request) ? HeldMetrics(motor.design()).evaluate(request)
                           : Evaluator(motor).evaluate(request);
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
+  const HeldTraps traps;
   return Evaluator(motor).evaluate_at_share(metric, share);
+}
+
+MetricDerivative differentiate(const Motor& motor, const MetricRequest& request,
+                               bool fixed_static_friction) {
+  return differentiate(motor, std::span(&request, 1), fixed_static_friction).front();
 }
 
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
+  const HeldTraps traps;
   std::optional<Differentiator> differentiator;
   HeldMetrics held(motor.design());
   std::vector<MetricDerivative> derivatives;
@@ -76,16 +87,19 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
 }
 
 MetricValue evaluate_beyond_drive(const Motor& motor, const MetricRequest& request) {
+  const HeldTraps traps;
   return HeldMetrics(motor.design(), true).evaluate(request);
 }
 
 MetricDerivative differentiate_beyond_drive(const Motor& motor, const MetricRequest& request,
                                             bool fixed_static_friction) {
+  const HeldTraps traps;
   return HeldMetrics(motor.design(), true).differentiate(request, fixed_static_friction);
 }
 
 MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
                                         bool fixed_static_friction) {
+  const HeldTraps traps;
   return Differentiator(motor, fixed_static_friction).differentiate_at_share(metric, share);
 }
 
