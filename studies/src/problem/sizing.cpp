@@ -20,6 +20,7 @@ double named_quantity(const char* name, std::string_view text, const Expected& e
 
 // Unlike speed_at(load), the torque at a speed also exists for motors that cannot carry the load.
 std::string duty_limit(const DutyPoint& duty) {
+  if (!duty.text.empty()) return duty.text;
   return "torque_at(" + number_text(duty.speed) + " rad/s) >= " + number_text(duty.torque) + " N.m";
 }
 
@@ -40,7 +41,8 @@ DesignFront solve_front(const DesignProblem& problem, const optim::ParetoOptions
 
 DutyPoint duty_point(std::string_view torque, std::string_view speed) {
   return {named_quantity("torque", torque, {"N.m", "0.5 N.m"}),
-          named_quantity("speed", speed, {"rad/s", "100 rpm"})};
+          named_quantity("speed", speed, {"rad/s", "100 rpm"}),
+          "torque_at(" + std::string(speed) + ") >= " + std::string(torque)};
 }
 
 DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
@@ -52,6 +54,11 @@ DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
   sized.limits.insert(sized.limits.end(), problem.limits.begin(), problem.limits.end());
   if (sized.objectives.empty()) sized.minimize("max_pressure");
   return solve(sized, options);
+}
+
+DesignAnswer size(const DesignProblem& problem, std::initializer_list<DutyPoint> duty,
+                  const optim::SolveOptions& options) {
+  return size(problem, std::span(duty.begin(), duty.size()), options);
 }
 
 DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,
