@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import numbers
 import os
 import pathlib
-import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Mapping
 
@@ -142,12 +142,15 @@ def _column(texts):
         return np.array(texts, dtype=object)
 
 
-def _rows(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        lines = list(csv.reader(file))
+def _rows(text):
+    lines = list(csv.reader(io.StringIO(text, newline="")))
     names = [name.rsplit(" [", 1)[0] for name in lines[0]]
     columns = list(zip(*lines[1:])) or [[] for _ in names]
     return {name: _column(column) for name, column in zip(names, columns)}
+
+
+def _kept_rows(folder):
+    return _rows((folder / "results.csv").read_bytes().decode("utf-8"))
 
 
 def read_result(directory: str | os.PathLike[str]) -> StudyResult:
@@ -155,7 +158,7 @@ def read_result(directory: str | os.PathLike[str]) -> StudyResult:
     folder = pathlib.Path(directory)
     try:
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        return StudyResult(summary, _rows(folder / "results.csv"), directory=str(folder))
+        return StudyResult(summary, _kept_rows(folder), directory=str(folder))
     except FileNotFoundError as error:
         raise _twum.InputError(f"{folder}: no result of a study; {pathlib.Path(error.filename).name} is missing") from None
 
@@ -179,25 +182,13 @@ def _settings(parameters: Mapping[str, Any]) -> list[str]:
     return [f"{name}={text(name, value)}" for name, value in parameters.items()]
 
 
-def _plain(value):
-    """Arrays and numbers of NumPy in a study that is given as a dictionary."""
-    if isinstance(value, (np.ndarray, np.generic)) and value.dtype.kind in "iufU":
-        return value.tolist()
-    raise TypeError(f"study: expected numbers, texts, lists and dictionaries, not {getattr(value, 'dtype', type(value))}")
-
-
-def _written(study: Mapping[str, Any], motor: Any, folder: pathlib.Path) -> pathlib.Path:
-    """A study given as a dictionary, as a file."""
+def _entries(study: Mapping[str, Any], motor: Any) -> dict[str, Any]:
+    """A study given as a dictionary, as the entries of a study file."""
     content = dict(study) if "study" in study else {"study": dict(study)}
     content.setdefault("twum", 1)
-    if isinstance(motor, _twum.Motor):
-        (folder / "motor.yaml").write_text(motor.file_text(), encoding="utf-8")
-        content["motor"] = "motor.yaml"
-    elif motor is not None:
+    if motor is not None and not isinstance(motor, _twum.Motor):
         content["motor"] = os.path.abspath(motor)
-    path = folder / "study.yaml"
-    path.write_text(json.dumps(content, indent=2, ensure_ascii=False, default=_plain), encoding="utf-8")
-    return path
+    return content
 
 
 def run(
@@ -209,21 +200,23 @@ def run(
     jobs: int = 0,
     fresh: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
+    stop: Any = None,
 ) -> StudyResult:
     """Runs a study: a file, or a dictionary of its entries with `motor` a Motor or a path.
 
-    With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew.
-    `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
-    known) and the best so far. Ctrl-C ends the run. FileError says everything that is wrong.
+    Numbers in a dictionary are in SI units, texts carry their unit; its paths are relative to the current folder.
+    With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew. Without one it is
+    kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
+    known) and the best so far. Ctrl-C ends the run; `stop`, such as a threading.Event, ends it with the outcome
+    'interrupted' and the rows so far. FileError says everything that is wrong.
     """
-    with tempfile.TemporaryDirectory(prefix="twum-") as scratch:
-        if isinstance(study, Mapping):
-            path = _written(study, motor, pathlib.Path(scratch))
-        elif motor is not None:
-            raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
-        else:
-            path = pathlib.Path(study)
-        folder = os.fspath(directory) if directory is not None else os.path.join(scratch, "result")
-        summary, text = _twum.run_file(os.fspath(path), folder, _settings(set or {}), jobs, fresh, progress)
-        rows = _rows(os.path.join(folder, "results.csv"))
+    folder = "" if directory is None else os.fspath(directory)
+    how = (folder, _settings(set or {}), jobs, fresh, progress, stop)
+    if isinstance(study, Mapping):
+        summary, text, table = _twum.run_entries(_entries(study, motor), motor, *how)
+    elif motor is not None:
+        raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
+    else:
+        summary, text, table = _twum.run_file(os.fspath(study), *how)
+    rows = _kept_rows(pathlib.Path(folder)) if table is None else _rows(table)
     return StudyResult(summary, rows, text, None if directory is None else folder)
