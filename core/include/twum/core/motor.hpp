@@ -67,8 +67,8 @@ class Motor {
   bool locks_at_rest() const noexcept;
 
   /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. With one slice and a given amplitude about
-  /// a microsecond and no heap allocation; docs/benchmarks.md has times and allocations for more slices, `auto` and a
-  /// motor under a voltage, which take some ten times as long or more.
+  /// a microsecond and no heap allocation. Some four times as long for 8 slices or under a voltage, 40 times for `auto`, 200
+  /// times for both, with up to a hundred allocations (docs/benchmarks.md).
   /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
