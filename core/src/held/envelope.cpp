@@ -15,6 +15,8 @@
 namespace twum::core {
 namespace {
 
+// Of the largest torque: T_p - T goes with the cube of A_p - A, so that the last of it is left out.
+constexpr double kTop = 1 - 2e-6;
 // Torques that are tried from the largest down to the largest of a load that drives.
 constexpr int kTorques = 24;
 // Speeds that are tried from the highest down: each of the one before, and at most this many.
@@ -66,9 +68,8 @@ DriveReserve Envelope::by_frequency(double torque, double speed) const {
 }
 
 DriveReserve Envelope::reserve(double torque, double speed) const {
-  const double held = with_wave(torque);
-  if (control_ == DriveControl::frequency) return by_frequency(held, speed);
-  const HeldPoint wave = held_point(design_, held, speed, control_);
+  if (control_ == DriveControl::frequency) return by_frequency(torque, speed);
+  const HeldPoint wave = held_point(design_, torque, speed, control_);
   if (control_ == DriveControl::amplitude)
     return {share_over(design_.stator.amplitude, wave.amplitude), DriveEnd::amplitude, wave};
   const double share = share_over(*design_.stator.voltage, wave.voltage);
@@ -90,7 +91,7 @@ Envelope::Corner Envelope::out_of_reach(double torque, double speed) const {
 }
 
 Envelope::Corner Envelope::at_speed(double speed) const {
-  const double top = kNearlyAll * largest_;
+  const double top = kTop * largest_;
   const auto share_at = [&](double torque) { return reserve(torque, speed).share; };
   double high = top, at_high = share_at(high);
   if (at_high >= 0) return {HeldStatus::ok, largest_, speed, DriveEnd::friction, {}};
@@ -110,9 +111,7 @@ Envelope::Corner Envelope::at_speed(double speed) const {
 // stator: omega A is at most Theta u_0 / d_s. A motor without loss, or one that a load drives, has no such bound.
 double Envelope::highest_speed(double torque) const {
   constexpr double kAcross = 2;  // crest over rotor speed across a track, at most
-  MotorDesign narrow = with(design_, Parameter::radial_slices, 1);
-  narrow.stator.voltage.reset();
-  DrivenWaves waves(design_, track_rule(narrow));
+  const DrivenWaves waves(design_, track_rule(without_drive(design_)));
   const double per_amplitude = waves.crest_speed_per_amplitude();
   if (torque >= 0 && control_ == DriveControl::amplitude)
     return kAcross * per_amplitude * design_.stator.amplitude;
@@ -125,7 +124,7 @@ double Envelope::highest_speed(double torque) const {
 }
 
 Envelope::Corner Envelope::at_torque(double torque) const {
-  if (!(std::fabs(torque) <= kNearlyAll * largest_)) {
+  if (!(std::fabs(torque) <= kTop * largest_)) {
     Corner none{HeldStatus::torque_out_of_reach, kNoValue, kNoValue, DriveEnd::friction, {}};
     none.wave.needed = largest_;
     return none;

@@ -5,7 +5,7 @@
 
 namespace twum::core {
 
-/// T_p is held to this share where a search needs a wave beyond it: T_p - T goes with the cube of A_p - A.
+/// T_p is held to this share where a search needs a wave beyond it.
 inline constexpr double kNearlyAll = 1 - 1e-4;
 
 /// What a drive is short of where it just holds a torque at a speed.
@@ -30,8 +30,9 @@ class Envelope {
   explicit Envelope(const MotorDesign& design);
 
   double largest_torque() const { return largest_; }
-  /// The torque, or the nearest one that has a wave at every speed: kNearlyAll of the largest.
+  /// The torque, or the nearest one that a search may ask for: kNearlyAll of the largest.
   double with_wave(double torque) const;
+  /// @param torque  below the largest
   DriveReserve reserve(double torque, double speed) const;
 
   struct Corner {

@@ -19,7 +19,7 @@ using namespace core;
 namespace {
 
 HeldPoint without_wave(HeldStatus status, double needed = kNoValue) {
-  return {status, kNoValue, kNoValue, kNoValue, needed, false, {}};
+  return {status, kNoValue, kNoValue, kNoValue, needed, false, 1, {}};
 }
 
 // dT / dOmega along H = Theta u_0 (D5.4): under a constant torque the speed returns where it is negative.
@@ -128,6 +128,7 @@ class Holding {
     held.amplitude = w.amplitude, held.frequency = w.omega / (2 * std::numbers::pi);
     held.voltage = modes_ ? rms_of(w.force.force()) : kNoValue;
     const DrivenWaves there = waves_.at_frequency(w.omega);
+    held.radial_slices = waves_.model().track.nodes;
     held.point = operating_point_of(there.motor(w.amplitude), w.slopes.solved, speed_,
                                     modes_ ? &*modes_ : nullptr);
     if (control_ == DriveControl::amplitude) return held;
@@ -152,15 +153,19 @@ MotorDesign with_wave(MotorDesign design, double amplitude) {
 
 // The number of slices for `auto` follows from the wave that one slice has under the load.
 TrackRule track_of(const MotorDesign& design, double torque, double speed, DriveControl control) {
-  constexpr int kWithoutWave = -8;
   if (design.stator.radial_slices != kAutoSlices)
     return track_rule(with_wave(design, design.stator.amplitude));
   const MotorDesign one = with(design, Parameter::radial_slices, 1);
   const TrackRule narrow = track_rule(with_wave(one, one.stator.amplitude));
   const double amplitude = Holding(one, narrow, torque, speed, control).held().amplitude;
   if (amplitude > 0) return track_rule(with_wave(design, amplitude));
-  return track_rule(
-      with_wave(with(design, Parameter::radial_slices, kWithoutWave), design.stator.amplitude));
+  return track_rule(without_drive(design));
+}
+
+// As Motor::radial_slices().
+HeldPoint of_design(const MotorDesign& design, HeldPoint held) {
+  if (design.stator.radial_slices <= kAutoSlices) held.radial_slices *= -1;
+  return held;
 }
 
 }  // namespace
@@ -199,7 +204,9 @@ void require_held(const MotorDesign& design, double torque, double speed, DriveC
 
 HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control) {
   require_held(design, torque, speed, control);
-  return Holding(design, track_of(design, torque, speed, control), torque, speed, control).held();
+  return of_design(
+      design,
+      Holding(design, track_of(design, torque, speed, control), torque, speed, control).held());
 }
 
 HeldPoint held_point(const MotorDesign& design, double torque, double speed) {
@@ -229,19 +236,21 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed) {
 HeldPoint least_voltage_point(const MotorDesign& design, double torque, double speed) {
   constexpr DriveControl kControl = DriveControl::frequency;
   require_held(design, torque, speed, kControl);
-  return Holding(design, track_of(design, torque, speed, kControl), torque, speed, kControl)
-      .with_least_voltage();
+  return of_design(
+      design, Holding(design, track_of(design, torque, speed, kControl), torque, speed, kControl)
+                  .with_least_voltage());
 }
 
 double largest_held_torque(const MotorDesign& design) {
   require_motor(design);
-  const DrivenWaves waves(design, track_rule(with_wave(design, design.stator.amplitude)));
-  return LoadedWaves(waves, 0, 0).plateau();
+  return LoadedWaves({design, track_rule(without_drive(design))}, 0, 0).plateau();
 }
 
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {
-  return with(with(design, Parameter::amplitude, held.amplitude), Parameter::frequency,
-              held.frequency);
+  return with(design, std::vector<ParameterValue>{
+                          {Parameter::amplitude, held.amplitude},
+                          {Parameter::frequency, held.frequency},
+                          {Parameter::radial_slices, static_cast<double>(held.radial_slices)}});
 }
 
 }  // namespace twum

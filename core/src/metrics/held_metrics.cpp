@@ -3,6 +3,7 @@
 
 #include "metrics/differentiator.hpp"
 #include "metrics/wave_rows.hpp"
+#include "point/slice_count.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
@@ -122,7 +123,8 @@ double HeldMetrics::value(const MetricRequest& request) {
     case Metric::torque_reserve_at:
       return 1 - std::fabs(request.torque) / envelope().largest_torque();  // (Y5.1)
     case Metric::drive_reserve_at: {
-      const DriveReserve found = envelope().reserve(request.torque, request.at);  // (Y5.2)
+      const DriveReserve found =
+          envelope().reserve(envelope().with_wave(request.torque), request.at);  // (Y5.2)
       if (!std::isfinite(found.share)) throw SearchFailure{status_of(found.wave.status)};
       return found.share;
     }
@@ -180,9 +182,7 @@ MetricDerivative HeldMetrics::differentiate(const MetricRequest& request,
 
 // T_p does not depend on the wave, so it is that of a motor with any.
 MetricDerivative HeldMetrics::of_largest_torque(bool fixed) {
-  const HeldPoint none{
-      HeldStatus::ok, design_.stator.amplitude, drive_frequency(design_), 0, 0, false, {}};
-  const Motor motor(with_held_wave(design_, none));
+  const Motor motor(without_drive(design_));
   MetricDerivative result = Differentiator(motor, fixed).torque_of_full_slip();
   result.value.value = envelope().largest_torque();
   return result;
@@ -228,7 +228,7 @@ MetricDerivative HeldMetrics::of_envelope(const MetricRequest& request, const Me
 // The least that would do moves with the wave that keeps its torque: (Y2.6) with R = 0 where the frequency follows.
 MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
                                                const MetricValue& value, bool fixed) {
-  const DriveReserve there = envelope().reserve(request.torque, request.at);
+  const DriveReserve there = envelope().reserve(envelope().with_wave(request.torque), request.at);
   const Motor motor(with_held_wave(design_, there.wave));
   const bool modes = there.end != DriveEnd::amplitude;
   WaveRows rows = wave_rows(motor, request.at, modes, fixed);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/metrics.hpp>
 
+#include "design/held_traps.hpp"
 #include "metrics/differentiator.hpp"
 #include "metrics/held_metrics.hpp"
-#include "metrics/held_traps.hpp"
+#include "point/slice_count.hpp"
 
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace twum {
 
@@ -34,27 +37,61 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   return d;
 }
 
+namespace {
+
+// Numbers that the wave does not enter: of a motor under a voltage it need not be followed.
+bool needs_no_wave(Metric metric) {
+  return metric == Metric::holding_torque || metric == Metric::coupling_factor ||
+         metric == Metric::capacitance_ratio || metric == Metric::mode_separation;
+}
+
+// Each request to the part that answers it; parts are made when they are needed.
+template <typename Answers, typename Answer>
+class Parts {
+ public:
+  template <typename... More>
+  explicit Parts(const Motor& motor, More... more)
+      : motor_(motor),
+        held_(motor.design()),
+        make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }) {}
+
+  template <typename Ask, typename AskHeld>
+  Answer answer(const MetricRequest& request, Ask ask, AskHeld ask_held) {
+    if (is_held(request)) return ask_held(held_);
+    if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
+      if (!still_) still_.emplace(without_drive(motor_.design()));
+      if (!of_still_) make_(*still_, of_still_);
+      return ask(*of_still_);
+    }
+    if (!of_motor_) make_(motor_, of_motor_);
+    return ask(*of_motor_);
+  }
+
+ private:
+  const Motor& motor_;
+  HeldMetrics held_;
+  std::function<void(const Motor&, std::optional<Answers>&)> make_;
+  std::optional<Motor> still_;
+  std::optional<Answers> of_motor_, of_still_;
+};
+
+}  // namespace
+
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
   const HeldTraps traps;
-  std::optional<Evaluator> evaluator;
-  HeldMetrics held(motor.design());
+  Parts<Evaluator, MetricValue> parts(motor);
   std::vector<MetricValue> values;
   values.reserve(requests.size());
-  for (const MetricRequest& request : requests) {
-    if (is_held(request)) {
-      values.push_back(held.evaluate(request));
-      continue;
-    }
-    if (!evaluator) evaluator.emplace(motor);
-    values.push_back(evaluator->evaluate(request));
-  }
+  for (const MetricRequest& request : requests)
+    values.push_back(parts.answer(
+        request, [&](Evaluator& to) { return to.evaluate(request); },
+        [&](HeldMetrics& to) { return to.evaluate(request); }));
   return values;
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
   const HeldTraps traps;
-  return is_held(request) ? HeldMetrics(motor.design()).evaluate(request)
-                          : Evaluator(motor).evaluate(request);
+  return evaluate(motor, std::span(&request, 1)).front();
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
@@ -71,18 +108,13 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
   const HeldTraps traps;
-  std::optional<Differentiator> differentiator;
-  HeldMetrics held(motor.design());
+  Parts<Differentiator, MetricDerivative> parts(motor, fixed_static_friction);
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
-  for (const MetricRequest& request : requests) {
-    if (is_held(request)) {
-      derivatives.push_back(held.differentiate(request, fixed_static_friction));
-      continue;
-    }
-    if (!differentiator) differentiator.emplace(motor, fixed_static_friction);
-    derivatives.push_back(differentiator->differentiate(request));
-  }
+  for (const MetricRequest& request : requests)
+    derivatives.push_back(parts.answer(
+        request, [&](Differentiator& to) { return to.differentiate(request); },
+        [&](HeldMetrics& to) { return to.differentiate(request, fixed_static_friction); }));
   return derivatives;
 }
 

@@ -2,8 +2,8 @@
 #include <twum/base/no_value.hpp>
 #include <twum/core/motor.hpp>
 
-#include "drive/drive.hpp"
-#include "metrics/held_traps.hpp"
+#include "design/held_traps.hpp"
+#include "drive/lazy_drive.hpp"
 #include "point/fields.hpp"
 #include "point/operating_point.hpp"
 #include "point/point.hpp"
@@ -35,8 +35,7 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
   if (const auto modes = core::stator_modes(design))
     modes_ = std::make_shared<const core::StatorModes<double>>(*modes);
   if (design.stator.voltage) {
-    drive_ = std::make_shared<const core::Drive>(design);
-    model_ = std::make_shared<const core::DrivenMotor<double>>(drive_->first_motor());
+    drive_ = std::make_shared<const core::LazyDrive>(design);
     return;
   }
   const auto values = core::model_values(design);
@@ -44,30 +43,34 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
       driven(core::motor_model(values, core::track_rule(design)), core::design_wave(values)));
 }
 
-int Motor::radial_slices() const noexcept {
-  const int nodes = model_->track.nodes;
+const core::Drive* Motor::drive() const { return drive_ ? &drive_->drive() : nullptr; }
+
+const core::DrivenMotor<double>& Motor::model() const { return drive_ ? drive_->model() : *model_; }
+
+int Motor::radial_slices() const {
+  const int nodes = model().track.nodes;
   return design_.stator.radial_slices <= kAutoSlices ? -nodes : nodes;
 }
 
-bool Motor::slices_settled() const noexcept { return model_->track.settled; }
+bool Motor::slices_settled() const { return model().track.settled; }
 
 std::vector<double> Motor::slice_radii() const {
   std::vector<double> radii;
-  for (const core::Slice<double>& slice : model_->slices()) radii.push_back(slice.radius);
+  for (const core::Slice<double>& slice : model().slices()) radii.push_back(slice.radius);
   return radii;
 }
 
-const NormalContact<double>& Motor::contact() const noexcept { return model_->contact; }
+const NormalContact<double>& Motor::contact() const { return model().contact; }
 
-double Motor::first_speed() const { return drive_ ? drive_->begin() : 0; }
+double Motor::first_speed() const { return drive_ ? drive()->begin() : 0; }
 
-double Motor::crest_speed() const noexcept { return model_->crest_velocity / model_->r; }
+double Motor::crest_speed() const { return model().crest_velocity / model().r; }
 
-double Motor::wave_speed() const noexcept { return model_->omega / model_->kappa / model_->r; }
+double Motor::wave_speed() const { return model().omega / model().kappa / model().r; }
 
-double Motor::holding_torque() const noexcept { return core::holding_torque(*model_); }
+double Motor::holding_torque() const { return core::holding_torque(model()); }
 
-bool Motor::locks_at_rest() const noexcept { return core::locks_at_rest(*model_); }
+bool Motor::locks_at_rest() const { return core::locks_at_rest(model()); }
 
 namespace {
 
@@ -81,17 +84,17 @@ void require_speed(const core::DrivenMotor<double>& m, double speed) {
 }  // namespace
 
 core::MotorPoint Motor::solved(double speed) const {
-  require_speed(*model_, speed);
-  if (drive_) return drive_->at(speed);
-  return {*model_, core::solve_point(*model_, speed)};
+  require_speed(model(), speed);
+  if (drive_) return drive()->at(speed);
+  return {model(), core::solve_point(model(), speed)};
 }
 
 OperatingPoint Motor::operating_point(double speed) const {
   const core::HeldTraps held;
-  require_speed(*model_, speed);
+  require_speed(model(), speed);
   if (!drive_)
-    return core::operating_point_of(*model_, core::solve_point(*model_, speed), speed, modes());
-  const core::MotorPoint at = drive_->at(speed);
+    return core::operating_point_of(model(), core::solve_point(model(), speed), speed, modes());
+  const core::MotorPoint at = drive()->at(speed);
   return core::operating_point_of(at.motor, at.solved, speed, modes());
 }
 
@@ -100,7 +103,7 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   require_admissible(Parameter::amplitude, at.amplitude);
   require_admissible(Parameter::frequency, at.frequency);
   const core::DrivenMotor<double> m =
-      driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
+      driven<double>(model(), {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);
   return core::operating_point_of(m, core::solve_point(m, at.speed), at.speed, modes());
 }
@@ -119,25 +122,25 @@ void require_on_track(const core::DrivenMotor<double>& m, double radius) {
 
 }  // namespace
 
-std::vector<Zone> Motor::zones(double speed) const { return zones(speed, model_->r); }
+std::vector<Zone> Motor::zones(double speed) const { return zones(speed, model().r); }
 
 std::vector<Zone> Motor::zones(double speed, double radius) const {
   const core::HeldTraps held;
-  require_on_track(*model_, radius);
+  require_on_track(model(), radius);
   const auto [motor, point] = solved(speed);
   if (point.status != PointStatus::ok) return {};
   return core::zones_at(motor, speed, radius);
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
-  return fields(speed, samples, model_->r);
+  return fields(speed, samples, model().r);
 }
 
 ContactFields Motor::fields(double speed, int samples, double radius) const {
   const core::HeldTraps held;
   if (samples < 2)
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
-  require_on_track(*model_, radius);
+  require_on_track(model(), radius);
   const auto [motor, point] = solved(speed);
   ContactFields fields{core::operating_point_of(motor, point, speed, modes()), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
@@ -148,17 +151,17 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
 
 BackwardWave Motor::backward_wave(double speed) const {
   const core::HeldTraps held;
-  require_speed(*model_, speed);
+  require_speed(model(), speed);
   const auto [motor, point] = solved(speed);
   return core::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
 }
 
 std::vector<WaveState> Motor::wave_states(double speed) const {
   const core::HeldTraps held;
-  require_speed(*model_, speed);
+  require_speed(model(), speed);
   std::vector<WaveState> states;
   if (!drive_) return states;
-  for (const core::WaveSolution& s : drive_->solutions(speed)) {
+  for (const core::WaveSolution& s : drive()->solutions(speed)) {
     const core::WaveBalance<double>& b = s.wave().balance;
     states.push_back({s.wave().amplitude, std::atan2(b.imaginary, b.real), s.stability.determinant,
                       s.stability.trace, s.stability.stable(), s.running()});

@@ -9,4 +9,12 @@ namespace twum::core {
 /// scales (W4.2), which takes a millisecond.
 TrackRule track_rule(const MotorDesign& design);
 
+/// The design without its voltage, and with enough slices in place of `auto`: for numbers that the wave does not enter.
+inline MotorDesign without_drive(MotorDesign design) {
+  constexpr int kEnough = -8;  // nodes for a pressure that is smooth along the track
+  design.stator.voltage.reset();
+  if (design.stator.radial_slices == kAutoSlices) design.stator.radial_slices = kEnough;
+  return design;
+}
+
 }  // namespace twum::core

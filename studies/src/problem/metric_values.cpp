@@ -4,6 +4,19 @@
 namespace twum::studies {
 namespace {
 
+// A torque that the drive does not hold at a speed.
+bool beyond_drive(const MetricRequest& request, MetricStatus status) {
+  if (request.argument != Argument::both) return false;
+  switch (status) {
+    case MetricStatus::torque_out_of_reach:
+    case MetricStatus::voltage_too_low:
+    case MetricStatus::amplitude_too_low:
+    case MetricStatus::outside_frequency_range:
+    case MetricStatus::unstable_amplitude: return true;
+    default: return false;
+  }
+}
+
 std::vector<MetricDerivative> with_gradients(const Motor& motor,
                                              const ExpressionEvaluator& expressions, bool fixed) {
   const auto requests = expressions.requests();
@@ -11,6 +24,8 @@ std::vector<MetricDerivative> with_gradients(const Motor& motor,
   for (std::size_t i = 0; i < answers.size(); ++i) {
     if (answers[i].value.status == MetricStatus::unreachable)
       answers[i] = differentiate_at_share(motor, requests[i].metric, kReachable, fixed);
+    if (beyond_drive(requests[i], answers[i].value.status))
+      answers[i] = differentiate_beyond_drive(motor, requests[i], fixed);
   }
   return expressions.combine(motor.design(), answers, fixed);
 }
@@ -22,6 +37,8 @@ std::vector<MetricDerivative> without_gradients(const Motor& motor,
   for (std::size_t i = 0; i < answers.size(); ++i) {
     if (answers[i].status == MetricStatus::unreachable)
       answers[i] = evaluate_at_share(motor, requests[i].metric, kReachable);
+    if (beyond_drive(requests[i], answers[i].status))
+      answers[i] = evaluate_beyond_drive(motor, requests[i]);
   }
   std::vector<MetricValue> values(expressions.size());
   expressions.combine(motor.design(), answers, values);

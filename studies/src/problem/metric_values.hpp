@@ -10,7 +10,8 @@
 namespace twum::studies {
 
 /// Values of expressions, with derivatives in every parameter in use if `gradient`. A metric at a load that the motor
-/// cannot carry is evaluated at kReachable times the largest torque, if there is one.
+/// cannot carry is evaluated at kReachable times the largest torque, if there is one; one at a torque and a speed that the drive does
+/// not hold at the wave that would (Y5.3).
 /// @{
 std::vector<MetricDerivative> metric_values(const Motor& motor,
                                             const ExpressionEvaluator& expressions, bool gradient,

@@ -158,7 +158,7 @@ optim::Problem posed_problem(const DesignProblem& problem) {
   for (const MotorLimit& limit : problem.limits) result.constraints.push_back(limit_of(limit));
   const auto responses = std::make_shared<const MotorResponses>(problem);
   for (const ImpliedLimit& limit : responses->implied())
-    result.constraints.push_back({limit.name, limit.load.value_or(0)});
+    result.constraints.push_back(limit_of(limit.limit));
   result.evaluate = [responses](std::span<const double> design, bool gradient) {
     return responses->evaluate(design, gradient);
   };

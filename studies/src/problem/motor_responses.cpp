@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace twum::studies {
 namespace {
@@ -44,32 +45,71 @@ std::vector<MetricExpression> asked(const DesignProblem& problem) {
   return list;
 }
 
+bool same_argument(const MetricRequest& a, const MetricRequest& b) {
+  return a.argument == b.argument && a.at == b.at && a.torque == b.torque;
+}
+
+// Reserves and margins have values beyond the limit.
+bool ends_at_a_limit(const MetricRequest& request) {
+  return request.argument == Argument::torque
+             ? request.metric != Metric::held_speed_limit_at
+             : request.argument == Argument::both && request.metric != Metric::torque_reserve_at &&
+                   request.metric != Metric::drive_reserve_at;
+}
+
+// Next to the end of a drive that follows by frequency its metrics change with the square root of what is left (Y5.3).
+constexpr double kLeastReserve = 1e-4;
+
+ImpliedLimit reserve_limit(Metric metric, const MetricRequest& held, double least) {
+  const MetricRequest reserve{metric, Argument::both, held.at, held.torque};
+  const std::string text = std::string(info(metric).name) + "(" + number_text(held.torque) +
+                           " N.m, " + rounded_text(held.at * 30 / std::numbers::pi, 10) + " rpm)";
+  MetricExpression expression = parse_metric(text);
+  expression.terms = {reserve};  // to the last digit
+  return {{text + " >= " + number_text(least), expression, least}, reserve};
+}
+
+void add_limits_of(const MetricRequest& request, const MetricExpression& metric,
+                   const Stator& stator, std::vector<ImpliedLimit>& limits) {
+  if (request.argument == Argument::torque) {
+    limits.push_back({{"max_torque >= " + number_text(request.at) + " N.m for " + metric.text,
+                       parse_metric("max_torque"), request.at},
+                      request});
+    return;
+  }
+  const bool by_frequency = stator.voltage && stator.control == DriveControl::frequency;
+  limits.push_back(reserve_limit(Metric::torque_reserve_at, request, kLeastReserve));
+  limits.push_back(
+      reserve_limit(Metric::drive_reserve_at, request, by_frequency ? kLeastReserve : 0));
+}
+
 std::string reason(const MetricExpression& metric, MetricStatus status) {
   return metric.text + ": " + to_string(status);
 }
 
 }  // namespace
 
-std::vector<double> loads_of(const MetricExpression& metric) {
-  std::vector<double> loads;
-  for (const Term& term : metric.terms) {
-    const auto* request = std::get_if<MetricRequest>(&term);
-    if (request != nullptr && request->argument == Argument::torque) loads.push_back(request->at);
-  }
-  return loads;
+bool ImpliedLimit::is_about(const MetricExpression& metric) const {
+  return argument && std::any_of(metric.terms.begin(), metric.terms.end(), [&](const Term& term) {
+           const auto* request = std::get_if<MetricRequest>(&term);
+           return request != nullptr && same_argument(*request, *argument);
+         });
 }
 
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   std::vector<ImpliedLimit> limits;
   for (const MetricExpression& metric : asked(problem)) {
-    for (const double load : loads_of(metric)) {
-      const bool known = std::any_of(limits.begin(), limits.end(),
-                                     [&](const ImpliedLimit& l) { return l.load == load; });
-      if (!known)
-        limits.push_back({"max_torque >= " + number_text(load) + " N.m for " + metric.text, load});
+    for (const Term& term : metric.terms) {
+      const auto* request = std::get_if<MetricRequest>(&term);
+      if (request == nullptr || !ends_at_a_limit(*request)) continue;
+      const bool known = std::any_of(limits.begin(), limits.end(), [&](const ImpliedLimit& l) {
+        return same_argument(*request, *l.argument);
+      });
+      if (!known) add_limits_of(*request, metric, problem.motor.stator, limits);
     }
   }
-  if (orders_friction(problem)) limits.push_back({"static_friction >= kinetic_friction", {}});
+  if (orders_friction(problem))
+    limits.push_back({{"static_friction >= kinetic_friction", parse_metric("static_friction"), 0}});
   return limits;
 }
 
@@ -78,9 +118,8 @@ CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<Im
       varied_(varied_parameters(problem_)),
       implied_(std::move(implied)),
       responses_(asked(problem_)) {
-  for (const ImpliedLimit& limit : implied_) {
-    if (limit.load) responses_.push_back(parse_metric("max_torque"));
-  }
+  for (const ImpliedLimit& limit : implied_)
+    if (!limit.orders_friction()) responses_.push_back(limit.limit.metric);
   evaluator_ = ExpressionEvaluator(responses_);
 }
 
@@ -131,7 +170,7 @@ optim::Evaluation CombinationResponses::evaluate_motor(std::span<const double> d
 // mu_0 - mu of the requested values. If it is negative, the motor has mu_0 = mu.
 void CombinationResponses::add_friction_order(std::span<const double> design,
                                               Numbers& numbers) const {
-  if (implied_.empty() || implied_.back().load) return;
+  if (implied_.empty() || !implied_.back().orders_friction()) return;
   double kinetic = problem_.motor.friction.kinetic;
   double static_ = 0;
   for (std::size_t j = 0; j < problem_.variables.size(); ++j) {

@@ -12,13 +12,17 @@ namespace twum::studies {
 
 /// A limit that follows from the metrics and variables of a question.
 struct ImpliedLimit {
-  std::string name;
-  std::optional<double> load;  ///< max_torque >= load [N m]; otherwise static >= kinetic friction
+  MotorLimit limit;
+  /// What has no value beyond it: metrics with this argument. Nothing: it orders the coefficients of friction, mu_0 >= mu.
+  std::optional<MetricRequest> argument{};
+
+  bool orders_friction() const { return !argument; }
+  /// True if an expression has no value beyond it.
+  bool is_about(const MetricExpression& metric) const;
 };
 
-/// The loads [N m] in the arguments of an expression's metrics.
-std::vector<double> loads_of(const MetricExpression& metric);
-
+/// The largest torque of each load; the reserves of each torque held at a speed (Y5.1, Y5.2); the order of the coefficients of
+/// friction last.
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
 /// Responses of a motor and their Jacobian for one combination of sets.

@@ -89,7 +89,7 @@ class BuiltMotors {
     };
     for (const MotorLimit& limit : asked.limits) one(limit);
     for (const ImpliedLimit& limit : all_.implied())
-      if (limit.load) one({"max_torque", parse_metric("max_torque")});
+      if (!limit.orders_friction()) one({limit.limit.metric.text, limit.limit.metric});
   }
 
   optim::Evaluation evaluate(std::span<const double> built, std::optional<std::size_t> only,
@@ -135,7 +135,7 @@ class RobustBuilder {
     for (const MotorLimit& limit : asked_.limits)
       problem.limits.push_back({limit.text, limit.lower, limit.upper});
     for (const ImpliedLimit& limit : motors->implied())
-      problem.limits.push_back({limit.name, limit.load.value_or(0)});
+      problem.limits.push_back({limit.limit.text, limit.limit.lower, limit.limit.upper});
     problem.built = [motors](std::span<const double> built, std::optional<std::size_t> only,
                              bool gradient) { return motors->evaluate(built, only, gradient); };
     add_targets(motors->implied(), problem);
@@ -186,11 +186,9 @@ class RobustBuilder {
                                         const std::vector<ImpliedLimit>& implied) const {
     const std::size_t own = limits.size();
     for (std::size_t k = 0; k < implied.size(); ++k) {
-      bool concerned = !implied[k].load;
-      for (std::size_t i = 0; i < own && !concerned; ++i) {
-        const auto loads = loads_of(asked_.limits[limits[i]].metric);
-        concerned = std::find(loads.begin(), loads.end(), implied[k].load) != loads.end();
-      }
+      bool concerned = implied[k].orders_friction();
+      for (std::size_t i = 0; i < own && !concerned; ++i)
+        concerned = implied[k].is_about(asked_.limits[limits[i]].metric);
       if (concerned) limits.push_back(asked_.limits.size() + k);
     }
     return limits;

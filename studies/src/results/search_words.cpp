@@ -36,6 +36,7 @@ Json limit_json(const LimitState& state, const optim::Certificate& certificate) 
             {"active", state.active},
             {"multiplier", number_json(state.multiplier)},
             {"gain_per_percent", number_json(state.gain_per_percent)}};
+  if (state.implied) json["implied"] = true;
   if (state.active) add_gains(json, state.multiplier, certificate);
   return json;
 }

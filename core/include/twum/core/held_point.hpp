@@ -34,6 +34,7 @@ struct HeldPoint {
   double needed{0};
   /// True if the rotor would leave the speed under this torque at a fixed drive: only a controller of the speed holds it.
   bool by_control_only{false};
+  int radial_slices{1};  ///< of the design, or -N with the number N that `auto` takes for this wave
   OperatingPoint point{};  ///< of the motor under this wave, where there is one
 };
 
@@ -57,7 +58,7 @@ HeldPoint least_voltage_point(const MotorDesign& design, double torque, double s
 /// @throws InputError for an impossible motor
 double largest_held_torque(const MotorDesign& design);
 
-/// The motor with the wave of a held point in place of its drive: its amplitude and frequency are given.
+/// The motor with the wave of a held point in place of its drive: its amplitude, frequency and slices are given.
 /// @throws InputError if they lie outside the ranges of a motor
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held);
 

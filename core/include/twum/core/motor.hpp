@@ -16,6 +16,7 @@ struct DrivenMotor;
 template <typename S>
 struct StatorModes;
 class Drive;
+class LazyDrive;
 struct MotorPoint;
 }  // namespace core
 
@@ -27,8 +28,8 @@ struct MotorPoint;
 class Motor {
  public:
   /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and a
-  /// millisecond for `auto`, which tries how many nodes are needed. Under a voltage it follows the running wave
-  /// over speed, which takes some hundred operating points.
+  /// millisecond for `auto`, which tries how many nodes are needed. Under a voltage the running wave is followed
+  /// over speed when it is first needed, which takes some hundred operating points.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
   /// Copies share what was computed. A move copies, so that a motor that was moved from stays a motor.
@@ -43,13 +44,13 @@ class Motor {
   /// True if the designs are equal, and with them all that follows.
   bool operator==(const Motor& other) const { return design_ == other.design_; }
   /// Pressure between wave and rotor at the contact radius, the same at every speed (T3.1 to T3.4, W2.2).
-  const NormalContact<double>& contact() const noexcept;
+  const NormalContact<double>& contact() const;
 
   /// The design's radial_slices; where it is kAutoSlices, -N with the number N of nodes a panel that `auto` chooses for it.
   /// `with(design, Parameter::radial_slices, motor.radial_slices())` fixes them while the design moves.
-  int radial_slices() const noexcept;
+  int radial_slices() const;
   /// False if `auto` has given up the search for the number of slices that 1e-6 takes, and has taken as many as it may.
-  bool slices_settled() const noexcept;
+  bool slices_settled() const;
   /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice. With `auto`, those where
   /// no zone appears along the track.
   std::vector<double> slice_radii() const;
@@ -58,13 +59,13 @@ class Motor {
   double first_speed() const;
 
   /// V0 / r, rotor speed that matches the crest velocity of the stator surface [rad/s].
-  double crest_speed() const noexcept;
+  double crest_speed() const;
   /// v_w / r; rotor speeds must exceed its negative [rad/s].
-  double wave_speed() const noexcept;
+  double wave_speed() const;
   /// mu_0 F_N r (T7.8), over an annulus (W3.6): torque at rest without drive; for one slice the bound of every torque [N m].
-  double holding_torque() const noexcept;
+  double holding_torque() const;
   /// True if the whole contact sticks at rest, the motor being locked like a brake; theory section 10.
-  bool locks_at_rest() const noexcept;
+  bool locks_at_rest() const;
 
   /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. With one slice and a given amplitude about
   /// a microsecond and no heap allocation. Some four times as long for 8 slices or under a voltage, 40 times for `auto`, 200
@@ -108,11 +109,11 @@ class Motor {
   std::vector<WaveState> wave_states(double speed) const;
 
   /// The drive of a motor under a voltage, else null. Internal.
-  const core::Drive* drive() const noexcept { return drive_.get(); }
+  const core::Drive* drive() const;
   /// The modes of the stator, null without modal data. Internal.
   const core::StatorModes<double>* modes() const noexcept { return modes_.get(); }
   /// The model of the motor. Internal.
-  const core::DrivenMotor<double>& model() const noexcept { return *model_; }
+  const core::DrivenMotor<double>& model() const;
 
  private:
   core::MotorPoint solved(double speed) const;
@@ -120,8 +121,8 @@ class Motor {
   MotorDesign design_;
   // Immutable, shared by copies.
   std::shared_ptr<const core::StatorModes<double>> modes_;
-  std::shared_ptr<const core::Drive> drive_;
-  std::shared_ptr<const core::DrivenMotor<double>> model_;
+  std::shared_ptr<const core::LazyDrive> drive_;            // of a motor under a voltage
+  std::shared_ptr<const core::DrivenMotor<double>> model_;  // of any other
 };
 
 /// Operating points at the given speeds [rad/s], in their order. Each costs as much as Motor::operating_point().

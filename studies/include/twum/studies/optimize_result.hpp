@@ -26,6 +26,7 @@ struct LimitState {
   std::string metric;    ///< what is limited: one side, or left minus right
   std::string unit;      ///< SI unit of the metric
   bool at_least{false};  ///< a lower limit
+  bool implied{false};   ///< it follows from the metrics that were asked for
   /// value of the metric; NaN if the motor has none, such as a speed at a load that it cannot carry
   double value{0};
   double limit{0};       ///< SI; if there are two ends, the active or nearer one

@@ -29,10 +29,7 @@ std::vector<double> values_of(const MotorDesign& design,
 
 std::vector<MotorLimit> all_limits(const DesignProblem& problem) {
   std::vector<MotorLimit> limits = problem.limits;
-  for (const ImpliedLimit& implied : implied_limits(problem)) {
-    const char* metric = implied.load ? "max_torque" : "static_friction";
-    limits.push_back({implied.name, parse_metric(metric), implied.load.value_or(0)});
-  }
+  for (const ImpliedLimit& implied : implied_limits(problem)) limits.push_back(implied.limit);
   return limits;
 }
 
@@ -116,6 +113,7 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
     asked.insert(asked.end(), limit.sides.begin(), limit.sides.end());
     const std::vector<double> values = values_of(motor, asked);
     LimitState state{limit.text, limit.metric.text, limit.metric.unit()};
+    state.implied = states.size() >= problem_.limits.size();
     state.lower = limit.lower;
     state.upper = limit.upper;
     state.value = values[0];
@@ -127,8 +125,7 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
       state.gain_per_percent = a->gain_per_percent;
       if (a->active && a->side != optim::Side::equal)
         state.at_least = a->side == optim::Side::lower;
-      if (states.size() >= problem_.limits.size() && std::isfinite(a->value))
-        state.value = a->value;  // such as mu_0 - mu
+      if (state.implied && std::isfinite(a->value)) state.value = a->value;  // such as mu_0 - mu
     }
     state.limit = end_of(limit, state.at_least);
     state.violation = limit.excess(state.value);

@@ -94,11 +94,9 @@ SearchRows::SearchRows(const DesignProblem& problem)
     if (known) continue;
     columns_.push_back({metric.text, std::string(metric.unit())});
     metrics_.push_back({i, {}});
-    for (const double load : loads_of(metric)) {
-      for (std::size_t k = 0; k < implied.size(); ++k) {
-        if (implied[k].load == load) metrics_.back().loads.push_back({asked.size() + k, load});
-      }
-    }
+    for (std::size_t k = 0; k < implied.size(); ++k)
+      if (implied[k].is_about(metric))
+        metrics_.back().ends.push_back({asked.size() + k, implied[k].limit.lower});
   }
 }
 
@@ -112,8 +110,8 @@ StoredRow SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<co
   for (const MetricColumn& metric : metrics_) {
     const bool none =
         !evaluation.ok() ||
-        std::any_of(metric.loads.begin(), metric.loads.end(), [&](const MetricColumn::Load& load) {
-          return evaluation.values[load.response] < load.torque;
+        std::any_of(metric.ends.begin(), metric.ends.end(), [&](const MetricColumn::End& end) {
+          return evaluation.values[end.response] < end.least;
         });
     row.values.push_back(none ? kNoValue : evaluation.values[metric.response]);
   }

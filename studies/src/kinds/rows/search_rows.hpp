@@ -62,13 +62,13 @@ class SearchRows {
   void append_derived(std::span<const double> design, StoredRow& row) const;
 
   struct MetricColumn {
-    /// A load in the argument of a metric.
-    struct Load {
-      std::size_t response;  ///< index of the limit "max_torque >= load"
-      double torque;         ///< [N m]
+    /// An implied limit beyond which the metric has no value.
+    struct End {
+      std::size_t response;
+      double least;
     };
     std::size_t response;
-    std::vector<Load> loads;
+    std::vector<End> ends;
   };
 
   // One combination of the choices.
