@@ -15,8 +15,8 @@ DesignProblem ring_60() {
   DesignProblem problem;  // the default motor is ring-60
   problem.motor.stator.modal_damping = 45;
   problem.vary(Parameter::amplitude, 0.8e-6, 2.2e-6).vary(Parameter::preload, 60, 300);
-  problem.vary(Parameter::thickness, 1e-4, 1e-3, true);
-  problem.vary(Parameter::youngs_modulus, 0.5e9, 20e9, true);
+  problem.vary(Parameter::thickness, 1e-4, 1e-3, optim::Scale::log);
+  problem.vary(Parameter::youngs_modulus, 0.5e9, 20e9, optim::Scale::log);
   problem.vary(Parameter::kinetic_friction, 0.1, 0.35);
   problem.limit("no_load_speed >= 100 rpm").limit("stall_torque >= 0.8 N.m");
   problem.limit("max_pressure <= 10 MPa");

@@ -9,7 +9,7 @@ int main() {
   DesignProblem problem{twum::MotorDesign{}};
   problem.vary(twum::Parameter::preload, 60, 300)
       .vary(twum::Parameter::amplitude, 0.8e-6, 2.2e-6)
-      .vary(twum::Parameter::thickness, 0.1e-3, 1e-3, true);
+      .vary(twum::Parameter::thickness, 0.1e-3, 1e-3, twum::optim::Scale::log);
   problem.maximize("peak_power");
   problem.limit("max_pressure <= 3 MPa").limit("wear_intensity_at(100 rpm) <= 8 kW/m^2");
 

@@ -143,3 +143,10 @@ TEST_CASE("designs are asked one by one: each has its answer or the reason why i
     }
   }
 }
+
+TEST_CASE("a batch that may not proceed ends with the rows so far", "[core][batch]") {
+  const auto stopped = [] { return false; };
+  const std::vector<MotorDesign> batch(1000);
+  CHECK(evaluate_designs(batch, kAsked, 2, stopped).size() < batch.size());
+  CHECK(differentiate_designs(batch, kAsked, false, 2, stopped).size() < batch.size());
+}

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 // Motors without wave, friction or preload, and those that only look like one.
 namespace {
@@ -77,4 +78,28 @@ TEST_CASE("without friction the holding torque grows with friction as that of a 
     CHECK(holding_torque_of(design, true).gradient[kinetic] == 0);
     CHECK(holding_torque_of(design, true).gradient[fixed] == Approx(arm).epsilon(1e-15));
   }
+}
+
+TEST_CASE("a motor that was moved from is still that motor", "[core][edge]") {
+  Motor first{MotorDesign{}};
+  const double torque = first.operating_point(5).torque;
+  const Motor second(std::move(first));
+  CHECK(first.operating_point(5).torque == torque);  // NOLINT(bugprone-use-after-move)
+  CHECK(second.operating_point(5).torque == torque);
+}
+
+TEST_CASE("motors are equal if their designs are", "[core][edge]") {
+  CHECK(Motor(MotorDesign{}) == Motor(MotorDesign{}));
+  for (const Parameter p : {Parameter::preload, Parameter::thickness, Parameter::kinetic_friction,
+                            Parameter::contact_radius})
+    CHECK(MotorDesign{} != with(MotorDesign{}, p, 1.001 * get(MotorDesign{}, p)));
+}
+
+TEST_CASE("the derivative of one metric is that of a list of one", "[core][derivative]") {
+  const Motor motor{MotorDesign{}};
+  const MetricRequest request{Metric::torque_at, Argument::speed, 5};
+  const MetricDerivative alone = differentiate(motor, request);
+  const MetricDerivative first = differentiate(motor, std::span(&request, 1)).front();
+  CHECK(alone.value.value == first.value.value);
+  CHECK(alone.gradient == first.gradient);
 }

@@ -62,6 +62,13 @@ class FindPackage(Case):
     def test_all_components(self):
         self.check_everything(self.consumer("-DPART=studies", f"-DWANTED={ARGUMENTS.version}"))
 
+    def test_a_program_with_debug_containers_does_not_link_with_libraries_without(self):
+        done = self.configure("-DPART=core", "-DCMAKE_CXX_FLAGS=-D_GLIBCXX_DEBUG")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        done = run(ARGUMENTS.cmake, "--build", self.folder / "build", "--target", "consumer")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("library_was_built_with_glibcxx_debug", done.stdout)
+
     def test_core_alone_needs_no_solver_and_no_yaml(self):
         refused = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("NLopt", "yaml-cpp", "PkgConfig")]
         program = self.consumer("-DPART=core", *refused)
@@ -72,6 +79,11 @@ class FindPackage(Case):
         # The parameters that made the points, ones, and the matrix's trace; the fit's tolerance is 1e-10.
         for number, truth in zip(said, (2, 0.5, 20, 40), strict=True):
             self.assertAlmostEqual(float(number), truth, delta=1e-8)
+
+    def test_a_program_with_many_warnings_and_sanitizers(self):
+        # The least of (x - 100)^2, and the preload 0.53 / (mu_0 r), both 100 to the accuracy of a search.
+        for number in self.ok(self.consumer("-DPART=strict", "-DCMAKE_BUILD_TYPE=Debug")).split():
+            self.assertAlmostEqual(float(number), 100, delta=1e-4)
 
     def test_unknown_component_is_refused_by_name(self):
         done = self.configure("-DPART=motors")
@@ -140,7 +152,8 @@ class Examples(Case):
         sources = sorted(path.stem for path in (ROOT / "examples/cpp").glob("*.cpp"))
         self.assertGreater(len(sources), 6)
         arguments = {"curve": [RING], "study": [ROOT / "examples/studies/optimize-ring-60.yaml"]}
-        said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources}
+        said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources if name != "sizing_service"}
+        self.check_service(build / "sizing_service")
         self.assertRegex(said["curve"], "slip[+]")
         self.assertRegex(said["optimize"], "nlopt:slsqp: optimal")
         self.assertNotIn("not certified", said["front"])
@@ -153,6 +166,15 @@ class Examples(Case):
             low, high = re.search(rf"{name} \S+ \((\S+) to (\S+)\)", text).groups()
             self.assertLess(float(low), truth)
             self.assertLess(truth, float(high))
+
+    def check_service(self, program):
+        """Answers come in the order of the requests; a request that is cancelled has an answer too."""
+        asked = "0.5 N.m, 100 rpm\n0.5 N.m, 1 mm\n50 N.m, 100 rpm\n0.4 N.m, 50 rpm\ncancel\n"
+        done = subprocess.run([program], input=asked, capture_output=True, text=True, timeout=100)
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), 4, done.stdout + done.stderr)
+        for line, words in zip(lines, ("-> optimal: preload", "-> refused: speed: .*length", "-> infeasible", "-> (budget|optimal)")):
+            self.assertRegex(line, words)
 
     def check_size(self, text):
         """C++ and Python say the same, and the duty is carried: 0.5 N.m at 100 rpm."""
@@ -170,6 +192,11 @@ class AddSubdirectory(Case):
                                 "-DCMAKE_CXX_FLAGS_DEBUG=-O0")  # quickly made
         self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
         self.assertFalse((self.folder / "build/twum/tests").exists())
+
+    def test_core_is_built_along_as_shared_libraries_with_other_flags(self):
+        program = self.consumer("-DPART=core", f"-DTWUM_TREE={ROOT}", "-DTWUM_UNITY=ON", "-DBUILD_SHARED_LIBS=ON",
+                                "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -fno-inline -D_GLIBCXX_ASSERTIONS")
+        self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
 
 
 def setUpModule():

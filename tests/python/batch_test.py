@@ -177,6 +177,22 @@ class Patience(unittest.TestCase):
             twum.evaluate(twum.Motor(), {"preload": np.full(1_000_000, 160.0)}, metrics, jobs=1)
         self.assertLess(time.monotonic() - begin, 10)
 
+    def test_an_answer_knows_a_metric_as_it_was_typed(self):
+        asked = "peak_power / (1 W)"
+        motor = twum.Motor()
+        for metrics in (asked, [asked], f"stall_torque, {asked}"):
+            self.assertIn(asked, twum.evaluate(motor, {"preload": [60.0]}, metrics))
+            self.assertIn(asked, twum.gradients(motor, {"preload": [60.0]}, metrics))
+            self.assertIn(asked, motor.metrics(metrics))
+        best = twum.DesignProblem(motor).vary("preload", 60, 100).maximize(asked).solve()
+        self.assertEqual(list(best.objective), [asked])
+
+    def test_equal_motors_are_one_key(self):
+        self.assertEqual(twum.Motor(preload=140.0), twum.Motor(preload="140 N"))
+        self.assertNotEqual(twum.Motor(preload=140.0), twum.Motor(preload=141.0))
+        self.assertNotEqual(twum.Motor(), "motor")
+        self.assertEqual(len({twum.Motor(preload=140.0), twum.Motor(preload=140.0), twum.Motor()}), 2)
+
 
 if __name__ == "__main__":
     unittest.main()

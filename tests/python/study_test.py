@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Studies from Python: run, kept, read again, refused."""
+import os
 import pathlib
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 import twum
@@ -39,6 +41,38 @@ class Study(unittest.TestCase):
         self.assertEqual(result.outcome, "optimal")
         self.assertAlmostEqual(result["best"]["design"]["preload"], 0.53 / (0.2 * 0.0265), delta=1e-5)
         self.assertTrue(result["best"]["certificate"]["passed"])
+
+    def test_numbers_are_in_si_units(self):
+        # The same study in texts and in numbers; a list, a range, an argument and a count among them.
+        texts = {"kind": "sweep", "sampling": "grid", "metrics": ["holding_torque"],
+                 "variables": {"preload": {"min": "100 N", "max": "300 N", "points": 3}, "contact_radius": ["20 mm", "30 mm"]}}
+        si = {**texts, "variables": {"preload": {"min": 100, "max": np.float64(300.0), "points": 3},
+                                     "contact_radius": np.array([0.02, 0.03])}}
+        expected, found = (twum.run(study, motor=RING).rows for study in (texts, si))
+        for name, values in expected.items():
+            self.assertEqual(found[name].tolist(), values.tolist())
+        duty = {"kind": "size", "variables": {"preload": {"min": 60.0, "max": 300.0}}, "duty": [{"torque": 0.3, "speed": 1.0}]}
+        best = twum.run(duty, motor=RING)
+        self.assertEqual(best.outcome, "optimal")
+
+    def test_a_run_without_a_directory_writes_no_file(self):
+        with unittest.mock.patch.dict(os.environ, {"TMPDIR": str(self.folder)}):
+            tempfile.tempdir = None
+            self.addCleanup(setattr, tempfile, "tempdir", None)
+            twum.run(SWEEP, motor=RING)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_errors_speak_of_functions_instead_of_commands(self):
+        twum.run(SWEEP, self.folder / "result", motor=RING)
+        with self.assertRaises(twum.InputError) as other:
+            twum.run(dict(SWEEP, metrics=["preload"]), self.folder / "result", motor=RING)
+        with self.assertRaises(twum.InputError) as metric:
+            twum.Motor().metrics("foo")
+        self.assertIn("fresh=True", str(other.exception))
+        self.assertIn("twum.metric_table()", str(metric.exception))
+        for text in (str(other.exception), str(metric.exception)):
+            for word in ("-o", "--fresh", "'twum "):
+                self.assertNotIn(word, text)
 
     def test_what_is_kept_can_be_read_again(self):
         first = twum.run(SWEEP, self.folder / "result", motor=RING)

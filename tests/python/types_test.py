@@ -37,6 +37,16 @@ class Types(unittest.TestCase):
                                folder, *examples, MYPYPATH=os.environ["PYTHONPATH"])
         self.assertEqual(status, 0, text)
 
+    @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not there")
+    def test_a_strict_program_keeps_to_the_types(self):
+        program = pathlib.Path(__file__).with_name("strict_program.py")
+        with tempfile.TemporaryDirectory() as folder:
+            status, text = run("-m", "mypy", "--strict", "--cache-dir", folder, program,
+                               MYPYPATH=os.environ["PYTHONPATH"])
+        self.assertEqual(status, 0, text)
+        status, text = run(program)
+        self.assertEqual(status, 0, text)
+
 
 if __name__ == "__main__":
     unittest.main()

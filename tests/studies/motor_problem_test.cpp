@@ -68,7 +68,8 @@ TEST_CASE("a question in five lines has the answer of the study file", "[studies
 TEST_CASE("the Jacobian of a question is that of differences", "[studies][problem]") {
   DesignProblem q{ring(), {}, {}, {}};
   q.vary(Parameter::amplitude, 1e-6, 2e-6).vary(Parameter::preload, 60, 300);
-  q.vary(Parameter::thickness, 1e-4, 1e-3, true).vary(Parameter::youngs_modulus, 5e8, 2e10, true);
+  q.vary(Parameter::thickness, 1e-4, 1e-3, optim::Scale::log)
+      .vary(Parameter::youngs_modulus, 5e8, 2e10, optim::Scale::log);
   q.vary(Parameter::kinetic_friction, 0.1, 0.35).vary(Parameter::frequency, 3e4, 5e4);
   q.maximize("peak_power").limit("no_load_speed >= 100 rpm").limit("max_pressure <= 10 MPa");
   q.limit("wear_intensity_at(80 rpm) <= 5 kW/m^2").limit("efficiency_at(0.3 N.m) >= 0.1");

@@ -10,6 +10,7 @@
 #include <twum/core/batch.hpp>
 #include <twum/motors/settings.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -104,20 +105,22 @@ class DesignRows {
           {column.parameter, column.values.data(), column.values.size() == 1 ? 0U : 1U});
   }
 
-  /// Calls take(row, outcome) with the outcome of ask(motor) for every row, in their order. Runs on several threads,
-  /// without the GIL. Ctrl-C ends it.
+  /// Calls take(row, outcome) with the outcome of ask(motor) for every row, in their order, until a stop. Runs on several
+  /// threads, without the GIL. Ctrl-C ends it.
   template <typename Ask, typename Take>
-  void visit(unsigned jobs, Ask ask, Take take) const {
+  void visit(RunningCall& call, Watch& watch, unsigned jobs, Ask ask, Take take) const {
     run_interruptible(
+        call,
         [&](std::stop_token stop) {
           const auto design = [&](std::uint64_t row) { return with(base_, values(row)); };
           const auto take_all = [&](std::uint64_t first, const auto& outcomes) {
             for (std::size_t i = 0; i < outcomes.size(); ++i) take(first + i, outcomes[i]);
+            watch.count(outcomes.size());
           };
           ask_designs({0, rows_, jobs, [stop] { return !stop.stop_requested(); }}, design, ask,
                       take_all);
         },
-        [] {});
+        [&] { watch.poll(call); });
   }
 
  private:
@@ -159,22 +162,28 @@ std::string status_of(const std::vector<studies::MetricExpression>& metrics,
   return "ok";
 }
 
+// The status of designs that were not computed because of a stop.
+constexpr const char* kStopped = "stopped";
+
 py::dict evaluate_batch(const PyMotor& base, const py::object& arguments, const py::object& names,
-                        unsigned jobs) {
+                        unsigned jobs, const py::object& stop, const py::object& progress) {
+  RunningCall call;
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
   py::dict answer;
   std::vector<double*> results;
   for (const studies::MetricExpression& metric : metrics) {
     Array values(static_cast<py::ssize_t>(designs.rows));
+    std::fill_n(values.mutable_data(), designs.rows, kNoValue);
     results.push_back(values.mutable_data());
     answer[py::str(metric.text)] = values;
   }
-  std::vector<std::string> statuses(designs.rows);
+  std::vector<std::string> statuses(designs.rows, kStopped);
+  Watch watch(stop, progress, designs.rows);
   const studies::ExpressionEvaluator evaluator(metrics);
   DesignRows(base.motor.design(), designs)
       .visit(
-          jobs, [&](const Motor& motor) { return evaluator.evaluate(motor); },
+          call, watch, jobs, [&](const Motor& motor) { return evaluator.evaluate(motor); },
           [&](std::size_t row, const DesignOutcome<std::vector<MetricValue>>& outcome) {
             const auto* values = std::get_if<std::vector<MetricValue>>(&outcome);
             for (std::size_t k = 0; k < results.size(); ++k)
@@ -198,7 +207,9 @@ class DerivativeColumns {
         value_(values_.mutable_data()),
         entry_(gradient_.mutable_data()),
         smoothness_(rows),
-        status_(rows) {}
+        status_(rows) {
+    for (std::size_t row = 0; row < rows; ++row) refuse(row, kStopped);
+  }
 
   void set(std::size_t row, const MetricDerivative& of, const std::string& status) {
     value_[row] = of.value.value;
@@ -236,16 +247,19 @@ class DerivativeColumns {
 };
 
 py::dict gradients_batch(const PyMotor& base, const py::object& arguments, const py::object& names,
-                         bool fixed_static_friction, unsigned jobs) {
+                         bool fixed_static_friction, unsigned jobs, const py::object& stop,
+                         const py::object& progress) {
+  RunningCall call;
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
   const studies::ExpressionEvaluator evaluator(metrics);
   std::vector<DerivativeColumns> columns;
   columns.reserve(metrics.size());
   for (std::size_t k = 0; k < metrics.size(); ++k) columns.emplace_back(designs.rows);
+  Watch watch(stop, progress, designs.rows);
   DesignRows(base.motor.design(), designs)
       .visit(
-          jobs,
+          call, watch, jobs,
           [&](const Motor& motor) { return evaluator.differentiate(motor, fixed_static_friction); },
           [&](std::size_t row, const DesignOutcome<std::vector<MetricDerivative>>& outcome) {
             const auto* derivatives = std::get_if<std::vector<MetricDerivative>>(&outcome);
@@ -267,8 +281,9 @@ py::dict gradients_batch(const PyMotor& base, const py::object& arguments, const
 
 void add_batch(py::module_& module) {
   module.def("evaluate", &evaluate_batch, py::arg("motor"), py::arg("designs"), py::arg("metrics"),
-             py::kw_only(), py::arg("jobs") = 0,
-             "evaluate(motor, designs, metrics, *, jobs=0)\n--\n\n"
+             py::kw_only(), py::arg("jobs") = 0, py::arg("stop") = py::none(),
+             py::arg("progress") = py::none(),
+             "evaluate(motor, designs, metrics, *, jobs=0, stop=None, progress=None)\n--\n\n"
              "Metrics of many designs, on all processors unless `jobs` says otherwise.\n\n"
              "`designs` maps names of parameters (a dictionary, a DataFrame) to arrays in SI "
              "units, all of one length, or to "
@@ -277,11 +292,16 @@ void add_batch(py::module_& module) {
              "array, and 'status'\n"
              "to 'ok' or why a design has no full answer: its metrics are NaN then. The numbers do "
              "not depend on\n"
-             "`jobs`. Other Python threads run meanwhile, and Ctrl-C ends it.");
+             "`jobs`. Other Python threads run meanwhile, and Ctrl-C ends it. `stop`, such as a "
+             "threading.Event,\n"
+             "ends it too: designs that were not computed have the status 'stopped'. `progress` is "
+             "told the\n"
+             "designs so far and their number, as progress(done, total, '').");
   module.def("gradients", &gradients_batch, py::arg("motor"), py::arg("designs"),
              py::arg("metrics"), py::kw_only(), py::arg("fixed_static_friction") = false,
-             py::arg("jobs") = 0,
-             "gradients(motor, designs, metrics, *, fixed_static_friction=False, jobs=0)\n--\n\n"
+             py::arg("jobs") = 0, py::arg("stop") = py::none(), py::arg("progress") = py::none(),
+             "gradients(motor, designs, metrics, *, fixed_static_friction=False, jobs=0, "
+             "stop=None, progress=None)\n--\n\n"
              "Metrics of many designs with exact derivatives with respect to every parameter: "
              "Motor.gradients() for\n"
              "the designs that evaluate() takes. The answer maps each metric to its Derivatives, "
@@ -290,7 +310,7 @@ void add_batch(py::module_& module) {
              "'stall_torque')['stall_torque']['thickness'].\n"
              "About twice the time of evaluate(), for one derivative as for all. Other Python "
              "threads run meanwhile,\n"
-             "and Ctrl-C ends it.");
+             "and Ctrl-C ends it. `stop` and `progress` are those of evaluate().");
 }
 
 }  // namespace twum::python

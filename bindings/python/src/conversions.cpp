@@ -7,6 +7,7 @@
 #include <twum/motors/settings.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace twum::python {
 namespace {
@@ -176,16 +177,22 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments) {
 
 std::vector<studies::MetricExpression> to_metrics(py::handle metrics) {
   if (py::isinstance<py::str>(metrics)) {
-    return studies::parse_metric_list(to_text("metrics", metrics));
+    const std::string text = to_text("metrics", metrics);
+    std::vector<studies::MetricExpression> list = studies::parse_metric_list(text);
+    const std::vector<std::string_view> typed = io::split_list(text);
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].text = typed[i];
+    return list;
   }
   std::vector<studies::MetricExpression> list;
+  std::set<std::string> known;
   for (const py::handle one : metrics) {
     if (!py::isinstance<py::str>(one))
       throw py::type_error("metrics: expected texts such as 'stall_torque'");
-    studies::MetricExpression expression = studies::parse_metric(to_text("metrics", one));
-    const bool twice = std::any_of(
-        list.begin(), list.end(), [&](const auto& other) { return other.text == expression.text; });
-    if (twice) throw InputError("metrics: '" + expression.text + "' is given twice");
+    const std::string typed = to_text("metrics", one);
+    studies::MetricExpression expression = studies::parse_metric(typed);
+    if (!known.insert(expression.text).second)
+      throw InputError("metrics: '" + expression.text + "' is given twice");
+    expression.text = typed;
     list.push_back(std::move(expression));
   }
   return list;

@@ -56,7 +56,8 @@ std::vector<double> to_speeds(py::handle values);
 /// "preload='140 N', thickness=0.3e-3" with everything that is wrong in one InputError.
 std::vector<ParameterValue> to_parameter_values(const py::dict& arguments);
 
-/// Metrics as a text between commas or a sequence of texts.
+/// Metrics as a text between commas or a sequence of texts. Each keeps the text that the user typed, by which answers know
+/// it.
 std::vector<studies::MetricExpression> to_metrics(py::handle metrics);
 
 /// @throws EvaluationError naming the metric unless its status is ok

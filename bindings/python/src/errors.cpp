@@ -6,6 +6,9 @@
 #include <twum/io/result_store.hpp>
 
 #include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace twum::python {
 namespace {
@@ -28,6 +31,26 @@ py::handle make(py::module_& module, const char* name, const py::tuple& bases, c
   return type;
 }
 
+// The library's advice names commands and their options. In Python these are functions and arguments.
+std::string in_python(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+      {"'twum metrics'", "twum.metric_table()"},
+      {"'twum parameters'", "twum.parameter_table()"},
+      {"'twum solvers'", "twum.solver_table()"},
+      {"'twum run'", "twum.run()"},
+      {" with -o", ""},
+      {"--fresh", "fresh=True"}};
+  for (const auto& [command, here] : kWords)
+    for (std::size_t at = text.find(command); at != std::string::npos;
+         at = text.find(command, at + here.size()))
+      text.replace(at, command.size(), here);
+  return text;
+}
+
+void set_error(const py::handle& kind, const std::exception& error) {
+  PyErr_SetString(kind.ptr(), in_python(error.what()).c_str());
+}
+
 void set_evaluation_error(const EvaluationError& error) {
   const py::object exception =
       py::reinterpret_borrow<py::object>(classes().evaluation)(error.what());
@@ -39,15 +62,15 @@ void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const studies::FileError& error) {
-    PyErr_SetString(classes().file.ptr(), error.what());
+    set_error(classes().file, error);
   } catch (const InputError& error) {
-    PyErr_SetString(classes().input.ptr(), error.what());
+    set_error(classes().input, error);
   } catch (const EvaluationError& error) {
     set_evaluation_error(error);
   } catch (const studies::StoreError& error) {
-    PyErr_SetString(classes().store.ptr(), error.what());
+    set_error(classes().store, error);
   } catch (const Error& error) {
-    PyErr_SetString(classes().error.ptr(), error.what());
+    set_error(classes().error, error);
   }
 }
 

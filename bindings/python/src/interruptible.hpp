@@ -3,20 +3,71 @@
 
 #include "parts.hpp"
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <future>
 #include <stop_token>
 #include <utility>
 
 namespace twum::python {
 
+/// A long call of the module while it runs, from its first line to its return. The interpreter's end asks all of them
+/// to stop and waits for them: a thread of C++ that were still within one when the interpreter is gone would end the
+/// program with an abort.
+class RunningCall {
+ public:
+  /// @throws InputError once the interpreter ends
+  RunningCall();
+  ~RunningCall();
+  RunningCall(const RunningCall&) = delete;
+  RunningCall& operator=(const RunningCall&) = delete;
+
+  /// Asks the work of this call to stop.
+  std::stop_source& stop() { return stop_; }
+  /// True once the interpreter ends.
+  static bool closing();
+
+ private:
+  std::stop_source stop_;
+};
+
+/// Registers the end of all calls with the interpreter.
+void add_end_of_calls();
+
+/// What the caller gave to watch and to stop a call: `progress`, called as progress(done, total, best), and `stop`, with
+/// a method is_set() such as that of threading.Event. Each may be None.
+class Watch {
+ public:
+  /// @throws TypeError for a stop without is_set(), and for a progress that cannot be called
+  Watch(py::object stop, py::object progress, std::uint64_t total = 0);
+
+  /// Counts finished parts of the work; on any thread.
+  void count(std::uint64_t done) { done_ += done; }
+  /// Tells the count, and asks the call to stop if the caller wants so. Holds the GIL.
+  void poll(RunningCall& call) {
+    heed(call);
+    const std::uint64_t done = done_;
+    if (done != std::exchange(told_, done)) tell(done, total_, "");
+  }
+  /// Asks the call to stop if the caller wants so.
+  void heed(RunningCall& call) const;
+  /// Calls `progress`, if there is one.
+  void tell(std::uint64_t done, std::uint64_t total, const std::string& best) const;
+
+ private:
+  py::object stop_, progress_;
+  std::uint64_t total_;
+  std::atomic<std::uint64_t> done_{0};
+  std::uint64_t told_{0};
+};
+
 /// Runs work(stop_token) on a new thread without the GIL. Meanwhile the calling thread checks for Ctrl-C and calls
 /// poll() now and then with the GIL. If either throws, the work is asked to stop and waited for; then the exception
-/// is thrown.
+/// is thrown. SystemExit once the interpreter ends.
 template <typename Work, typename Poll>
-auto run_interruptible(Work work, Poll poll) {
-  std::stop_source stop;
-  auto result = std::async(std::launch::async, [&] { return work(stop.get_token()); });
+auto run_interruptible(RunningCall& call, Work work, Poll poll) {
+  auto result = std::async(std::launch::async, [&] { return work(call.stop().get_token()); });
   const auto is_ready = [&] {
     const py::gil_scoped_release release;
     return result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
@@ -28,12 +79,16 @@ auto run_interruptible(Work work, Poll poll) {
   try {
     while (!is_ready()) {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      poll();
+      if (!RunningCall::closing()) poll();
     }
   } catch (...) {
-    stop.request_stop();
+    call.stop().request_stop();
     wait();
     throw;
+  }
+  if (RunningCall::closing()) {
+    PyErr_SetNone(PyExc_SystemExit);
+    throw py::error_already_set();
   }
   return result.get();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiled part of the Python module.
+#include "interruptible.hpp"
 #include "parts.hpp"
 
 #include <twum/base/version.hpp>
@@ -17,4 +18,5 @@ PYBIND11_MODULE(_twum, module) {
   add_batch(module);
   add_problem(module);
   add_study(module);
+  add_end_of_calls();
 }

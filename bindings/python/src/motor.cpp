@@ -133,6 +133,15 @@ void add_making(Class& motor) {
             "speed or a torque; by default that of the largest\noverall efficiency, or of the "
             "largest output power if the motor has no modal data.");
   motor.def("__repr__", &representation);
+  motor.def(
+      "__eq__",
+      [](const PyMotor& self, const PyMotor& other) {
+        return self.name == other.name && self.motor == other.motor;
+      },
+      py::is_operator());
+  motor.def("__hash__", [](const PyMotor& self) {
+    return py::hash(py::tuple(parameters_of(self).attr("values")()));
+  });
   add_pickling(motor, &file_text, &from_text);
 }
 

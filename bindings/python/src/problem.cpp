@@ -71,7 +71,7 @@ PyProblem& choose(PyProblem& self, const std::string& name, const py::object& se
 // --- options from keywords
 
 template <typename T>
-void take(py::dict& from, const char* name, T& to) {
+void take(const py::dict& from, const char* name, T& to) {
   if (!from.contains(name)) return;
   try {
     to = py::cast<T>(from[name]);
@@ -79,6 +79,14 @@ void take(py::dict& from, const char* name, T& to) {
     throw py::type_error(std::string(name) + ": not of the right type");
   }
   from.attr("pop")(name);
+}
+
+// Takes `stop` and `progress` out of the keywords.
+Watch watch_of(const py::kwargs& keywords) {
+  py::object stop = py::none(), progress = py::none();
+  take(keywords, "stop", stop);
+  take(keywords, "progress", progress);
+  return {std::move(stop), std::move(progress)};
 }
 
 optim::SolveOptions solve_options(py::dict from) {
@@ -92,8 +100,9 @@ optim::SolveOptions solve_options(py::dict from) {
   take(from, "max_seconds", options.budget.seconds);
   take(from, "jobs", options.threads);
   for (const auto& [key, value] : from) {
-    constexpr std::array<std::string_view, 8> kNames{
-        "solver", "starts", "scan", "tolerance", "seed", "max_evaluations", "max_seconds", "jobs"};
+    constexpr std::array<std::string_view, 10> kNames{
+        "solver",          "starts",      "scan", "tolerance", "seed",
+        "max_evaluations", "max_seconds", "jobs", "stop",      "progress"};
     const auto name = to_text("name", key);
     throw InputError("unknown option " + studies::quoted(name) + "; " +
                      studies::did_you_mean(name, kNames));
@@ -209,26 +218,37 @@ py::object optimum(const PyProblem& self, const MotorDesign& motor,
 
 // --- what is asked
 
-py::object solve_problem(const PyProblem& self, const py::kwargs& keywords) {
+// Runs search(options), which a stop, Ctrl-C or an exception of `progress` ends.
+template <typename Search>
+auto watched(RunningCall& call, const py::kwargs& keywords, Search search) {
+  Watch watch = watch_of(keywords);
   optim::SolveOptions options = solve_options(keywords);
-  return optimum(self, run_interruptible(
-                           [&](std::stop_token stop) {
-                             options.stop = stop;
-                             return solve(self.problem, options);
-                           },
-                           [] {}));
+  options.observer = [&](const optim::Observation&) { watch.count(1); };
+  return run_interruptible(
+      call,
+      [&](std::stop_token stop) {
+        options.stop = stop;
+        return search(options);
+      },
+      [&] { watch.poll(call); });
+}
+
+py::object solve_problem(const PyProblem& self, const py::kwargs& keywords) {
+  RunningCall call;
+  return optimum(self, watched(call, keywords, [&](const optim::SolveOptions& options) {
+                   return solve(self.problem, options);
+                 }));
 }
 
 py::list front_of(const PyProblem& self, std::size_t points, const py::kwargs& keywords) {
-  optim::ParetoOptions options;
-  options.solve = solve_options(keywords);
-  options.points = points;
-  const studies::DesignFront front = run_interruptible(
-      [&](std::stop_token stop) {
-        options.solve.stop = stop;
-        return solve_front(self.problem, options);
-      },
-      [] {});
+  RunningCall call;
+  const studies::DesignFront front =
+      watched(call, keywords, [&](const optim::SolveOptions& options) {
+        optim::ParetoOptions all;
+        all.solve = options;
+        all.points = points;
+        return solve_front(self.problem, all);
+      });
   py::list list;
   for (std::size_t i = 0; i < front.motors.size(); ++i)
     list.append(optimum(self, front.motors[i], front.search.points[i]));
@@ -250,16 +270,13 @@ std::vector<studies::DutyPoint> to_duty(const py::object& duty) {
 }
 
 py::object size_motor(const PyProblem& self, const py::object& duty, const py::kwargs& keywords) {
+  RunningCall call;
   const std::vector<studies::DutyPoint> points = to_duty(duty);
-  optim::SolveOptions options = solve_options(keywords);
   PyProblem sized = self;
   if (sized.problem.objectives.empty()) sized.problem.minimize("max_pressure");
-  return optimum(sized, run_interruptible(
-                            [&](std::stop_token stop) {
-                              options.stop = stop;
-                              return size(sized.problem, points, options);
-                            },
-                            [] {}));
+  return optimum(sized, watched(call, keywords, [&](const optim::SolveOptions& options) {
+                   return size(sized.problem, points, options);
+                 }));
 }
 
 void add_asking(Class& problem) {
@@ -268,8 +285,10 @@ void add_asking(Class& problem) {
       "solve(self, **options)\n--\n\nThe best design, an Optimum: measured again and certified, "
       "whatever a solver said.\n\nOptions: solver='auto', starts=8, scan=512, tolerance=1e-6, "
       "seed=1, "
-      "max_evaluations=20000,\nmax_seconds, jobs=1. Ctrl-C ends it. Other Python threads run "
-      "meanwhile.");
+      "max_evaluations=20000,\nmax_seconds, jobs=1,\nstop, such as a threading.Event, which ends "
+      "it with the best so "
+      "far;\nprogress, told the evaluations as progress(done, 0, '').\nCtrl-C ends it. Other "
+      "Python threads run meanwhile.");
   problem.def("front", &front_of, py::arg("points") = 50,
               "front(self, points=50, **options)\n--\n\nThe trade-off between two or three "
               "objectives: a list "
@@ -315,6 +334,8 @@ void add_problem(py::module_& module) {
       "maximize",
       [](PyProblem& self, const std::string& metric) -> PyProblem& {
         self.problem.maximize(metric);
+        self.problem.objectives.back().metric.text =
+            metric;  // as typed, a key of Optimum.objective
         return self;
       },
       py::arg("metric"), "maximize(self, metric)\n--\n\nWants a metric to be large.");
@@ -322,6 +343,8 @@ void add_problem(py::module_& module) {
       "minimize",
       [](PyProblem& self, const std::string& metric) -> PyProblem& {
         self.problem.minimize(metric);
+        self.problem.objectives.back().metric.text =
+            metric;  // as typed, a key of Optimum.objective
         return self;
       },
       py::arg("metric"), "minimize(self, metric)\n--\n\nWants a metric to be small.");

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs studies.
+#include "classes.hpp"
 #include "conversions.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
 #include "results/answers.hpp"
+#include "study_node.hpp"
+#include "yaml/yaml_text.hpp"
 
 #include <twum/motors/settings.hpp>
 #include <twum/studies/run_study.hpp>
@@ -65,37 +68,80 @@ py::object to_python(const studies::Json& value) {
   return py::none();
 }
 
-py::tuple run_file(const std::string& path, const std::string& directory,
-                   const std::vector<std::string>& settings, unsigned jobs, bool fresh,
-                   const py::object& progress) {
-  const studies::StudyFile file = studies::read_study_file(path, settings);
+// Options of a run from Python.
+struct RunArguments {
+  std::string directory;  // empty: in memory
+  unsigned jobs;
+  bool fresh;
+  py::object progress, stop;
+};
+
+// The content of summary.json, the words for it, and the table of a run in memory.
+py::tuple run(const studies::StudyFile& file, const RunArguments& how) {
+  RunningCall call;
+  const Watch watch(how.stop, how.progress);
   Mailbox mailbox;
   studies::RunOptions options;
-  options.jobs = jobs;
-  options.fresh = fresh;
+  options.jobs = how.jobs;
+  options.fresh = how.fresh;
   options.progress = [&](const studies::RunProgress& now) {
     mailbox.put({now.done, now.budget ? 0 : now.total, now.best});  // a budget is not a total
   };
   const studies::StudyResult result = run_interruptible(
+      call,
       [&](std::stop_token stop) {
         options.stop = stop;
-        return studies::run_study(file, directory, options);
+        return how.directory.empty() ? studies::run_study(file, options)
+                                     : studies::run_study(file, how.directory, options);
       },
       [&] {
-        const auto now = mailbox.take();
-        if (now && !progress.is_none()) progress(now->done, now->total, now->best);
+        watch.heed(call);
+        if (const auto now = mailbox.take()) watch.tell(now->done, now->total, now->best);
       });
-  return py::make_tuple(to_python(studies::summary_value(result)), studies::summary_text(result));
+  const py::object table =
+      result.rows == nullptr ? py::object(py::none()) : py::str(studies::results_csv(result));
+  return py::make_tuple(to_python(studies::summary_value(result)), studies::summary_text(result),
+                        table);
+}
+
+py::tuple run_file(const std::string& path, const std::string& directory,
+                   const std::vector<std::string>& settings, unsigned jobs, bool fresh,
+                   const py::object& progress, const py::object& stop) {
+  return run(studies::read_study_file(path, settings), {directory, jobs, fresh, progress, stop});
+}
+
+// A study file with the entries of a dictionary, in which a Motor stands for its entries.
+std::string study_text(const py::dict& study, const py::object& motor) {
+  if (!py::isinstance<PyMotor>(motor))
+    return yaml_text(to_node(study, studies::study_file_schema()), 0);
+  const PyMotor& own = py::cast<const PyMotor&>(motor);
+  py::dict rest = study.attr("copy")();
+  for (const char* entry : {"twum", "motor"}) rest.attr("pop")(entry, py::none());
+  return studies::motor_text({own.name, own.motor.design()}) +
+         yaml_text(to_node(rest, studies::study_file_schema()), 0);
+}
+
+py::tuple run_entries(const py::dict& study, const py::object& motor, const std::string& directory,
+                      const std::vector<std::string>& settings, unsigned jobs, bool fresh,
+                      const py::object& progress, const py::object& stop) {
+  const studies::Source source("study", study_text(study, motor));
+  return run(studies::read_study(source, {}, settings), {directory, jobs, fresh, progress, stop});
 }
 
 }  // namespace
 
 void add_study(py::module_& module) {
-  module.def("run_file", &run_file, py::arg("path"), py::arg("directory"), py::arg("settings"),
-             py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
-             "run_file(path, directory, settings, jobs, fresh, progress)\n--\n\nRuns a study file "
-             "and keeps its "
-             "results in a directory; the content of summary.json and the words for it.");
+  module.def(
+      "run_file", &run_file, py::arg("path"), py::arg("directory"), py::arg("settings"),
+      py::arg("jobs"), py::arg("fresh"), py::arg("progress"), py::arg("stop"),
+      "run_file(path, directory, settings, jobs, fresh, progress, stop)\n--\n\nRuns a study "
+      "file. Its results are kept in a directory, or, if that is empty, in memory: the content "
+      "of summary.json, the words for it, and the table of a run in memory.");
+  module.def("run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("directory"),
+             py::arg("settings"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
+             py::arg("stop"),
+             "run_entries(study, motor, directory, settings, jobs, fresh, progress, stop)\n--\n\n"
+             "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
 }
 
 }  // namespace twum::python

@@ -3,6 +3,7 @@
 
     PYTHONPATH=BUILD/python /usr/bin/python3 bindings/python/tools/stubs.py [--check]
 """
+import keyword
 import pathlib
 import sys
 
@@ -34,10 +35,24 @@ def members():
     return text + "".join(point_metric(row) for row in twum.metric_table() if row["takes"])
 
 
+def making():
+    """The functions that take parameters by their names or symbols."""
+    names = [row[key] for row in twum.parameter_table() for key in ("name", "symbol") if row[key].isidentifier()]
+    taken = "".join(f"        {name}: _Quantity = ...,\n" for name in names if not keyword.iskeyword(name))
+    return (f"    def __init__(\n        self,\n        path: _Path | None = None,\n        /,\n        *,\n"
+            f"        name: str | None = None,\n{taken}    ) -> None: ...\n"
+            f"    def replace(\n        self,\n        *,\n{taken}    ) -> Motor: ...\n")
+
+
+def written(stub, *parts):
+    """The stub with each part in place of what stands between one pair of the marks."""
+    pieces = stub.split(BEGIN)
+    return pieces[0] + "".join(BEGIN + part + END + piece.split(END)[1] for part, piece in zip(parts, pieces[1:], strict=True))
+
+
 if __name__ == "__main__":
     old = STUB.read_text(encoding="utf-8")
-    before, rest = old.split(BEGIN)
-    new = before + BEGIN + members() + END + rest.split(END)[1]
+    new = written(old, making(), members())
     if "--check" not in sys.argv:
         STUB.write_text(new, encoding="utf-8")
     elif new != old:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Types of the compiled part. bindings/python/tools/stubs.py writes what follows from the tables.
 import os
-from typing import Any, Callable, Iterable, List, Mapping, Sequence, Tuple, Union, overload
+from typing import Any, Callable, Iterable, List, Mapping, Protocol, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,10 @@ _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
 _Numbers = Union[Sequence[float], List[str], Tuple[str, ...], NDArray[Any]]
 _Path = Union[str, os.PathLike[str]]
 _Duty = Tuple[_Quantity, _Quantity]
+_Progress = Callable[[int, int, str], object]
+
+class _Stop(Protocol):
+    def is_set(self) -> bool: ...
 
 __version__: str
 
@@ -80,8 +84,189 @@ class Derivative:
     def __getitem__(self, parameter: str) -> float: ...
 
 class Motor:
-    def __init__(self, path: _Path | None = None, /, *, name: str | None = None, **parameters: _Quantity) -> None: ...
-    def replace(self, **parameters: _Quantity) -> Motor: ...
+    # from the tables: begin
+    def __init__(
+        self,
+        path: _Path | None = None,
+        /,
+        *,
+        name: str | None = None,
+        wavelengths: _Quantity = ...,
+        n: _Quantity = ...,
+        contact_radius: _Quantity = ...,
+        r: _Quantity = ...,
+        contact_width: _Quantity = ...,
+        b: _Quantity = ...,
+        neutral_plane_distance: _Quantity = ...,
+        a: _Quantity = ...,
+        frequency: _Quantity = ...,
+        f: _Quantity = ...,
+        frequency_ratio: _Quantity = ...,
+        amplitude: _Quantity = ...,
+        A: _Quantity = ...,
+        voltage: _Quantity = ...,
+        modal_damping: _Quantity = ...,
+        quality_factor: _Quantity = ...,
+        resonance_frequency: _Quantity = ...,
+        modal_mass: _Quantity = ...,
+        force_factor: _Quantity = ...,
+        blocked_capacitance: _Quantity = ...,
+        loss_tangent: _Quantity = ...,
+        voltage_ratio: _Quantity = ...,
+        phase_error: _Quantity = ...,
+        mode_splitting: _Quantity = ...,
+        sensor_force_factor: _Quantity = ...,
+        sensor_capacitance: _Quantity = ...,
+        sensor_load_capacitance: _Quantity = ...,
+        sensor_load_resistance: _Quantity = ...,
+        sensor_position: _Quantity = ...,
+        radial_slices: _Quantity = ...,
+        shape_exponent: _Quantity = ...,
+        shape_root: _Quantity = ...,
+        thickness: _Quantity = ...,
+        h: _Quantity = ...,
+        youngs_modulus: _Quantity = ...,
+        E: _Quantity = ...,
+        poisson_ratio: _Quantity = ...,
+        nu: _Quantity = ...,
+        density: _Quantity = ...,
+        rho: _Quantity = ...,
+        loss_factor: _Quantity = ...,
+        shear_modulus: _Quantity = ...,
+        G: _Quantity = ...,
+        shear_viscosity: _Quantity = ...,
+        gamma: _Quantity = ...,
+        inertia: _Quantity = ...,
+        m: _Quantity = ...,
+        kinetic_friction: _Quantity = ...,
+        mu: _Quantity = ...,
+        static_friction: _Quantity = ...,
+        mu_0: _Quantity = ...,
+        rotor_taper: _Quantity = ...,
+        rotor_mass: _Quantity = ...,
+        preload: _Quantity = ...,
+        F_N: _Quantity = ...,
+        substrate_inner_radius: _Quantity = ...,
+        substrate_outer_radius: _Quantity = ...,
+        substrate_thickness: _Quantity = ...,
+        substrate_youngs_modulus: _Quantity = ...,
+        substrate_poisson_ratio: _Quantity = ...,
+        substrate_density: _Quantity = ...,
+        web_inner_radius: _Quantity = ...,
+        web_outer_radius: _Quantity = ...,
+        web_thickness: _Quantity = ...,
+        teeth_count: _Quantity = ...,
+        teeth_height: _Quantity = ...,
+        teeth_slot_width: _Quantity = ...,
+        teeth_inner_radius: _Quantity = ...,
+        teeth_outer_radius: _Quantity = ...,
+        teeth_stiffness_share: _Quantity = ...,
+        glue_thickness: _Quantity = ...,
+        glue_youngs_modulus: _Quantity = ...,
+        glue_poisson_ratio: _Quantity = ...,
+        glue_density: _Quantity = ...,
+        ceramic_inner_radius: _Quantity = ...,
+        ceramic_outer_radius: _Quantity = ...,
+        ceramic_thickness: _Quantity = ...,
+        ceramic_youngs_modulus: _Quantity = ...,
+        ceramic_poisson_ratio: _Quantity = ...,
+        ceramic_density: _Quantity = ...,
+        ceramic_d31: _Quantity = ...,
+        ceramic_permittivity: _Quantity = ...,
+        electrodes_waves_per_phase: _Quantity = ...,
+        electrodes_inner_radius: _Quantity = ...,
+        electrodes_outer_radius: _Quantity = ...,
+    ) -> None: ...
+    def replace(
+        self,
+        *,
+        wavelengths: _Quantity = ...,
+        n: _Quantity = ...,
+        contact_radius: _Quantity = ...,
+        r: _Quantity = ...,
+        contact_width: _Quantity = ...,
+        b: _Quantity = ...,
+        neutral_plane_distance: _Quantity = ...,
+        a: _Quantity = ...,
+        frequency: _Quantity = ...,
+        f: _Quantity = ...,
+        frequency_ratio: _Quantity = ...,
+        amplitude: _Quantity = ...,
+        A: _Quantity = ...,
+        voltage: _Quantity = ...,
+        modal_damping: _Quantity = ...,
+        quality_factor: _Quantity = ...,
+        resonance_frequency: _Quantity = ...,
+        modal_mass: _Quantity = ...,
+        force_factor: _Quantity = ...,
+        blocked_capacitance: _Quantity = ...,
+        loss_tangent: _Quantity = ...,
+        voltage_ratio: _Quantity = ...,
+        phase_error: _Quantity = ...,
+        mode_splitting: _Quantity = ...,
+        sensor_force_factor: _Quantity = ...,
+        sensor_capacitance: _Quantity = ...,
+        sensor_load_capacitance: _Quantity = ...,
+        sensor_load_resistance: _Quantity = ...,
+        sensor_position: _Quantity = ...,
+        radial_slices: _Quantity = ...,
+        shape_exponent: _Quantity = ...,
+        shape_root: _Quantity = ...,
+        thickness: _Quantity = ...,
+        h: _Quantity = ...,
+        youngs_modulus: _Quantity = ...,
+        E: _Quantity = ...,
+        poisson_ratio: _Quantity = ...,
+        nu: _Quantity = ...,
+        density: _Quantity = ...,
+        rho: _Quantity = ...,
+        loss_factor: _Quantity = ...,
+        shear_modulus: _Quantity = ...,
+        G: _Quantity = ...,
+        shear_viscosity: _Quantity = ...,
+        gamma: _Quantity = ...,
+        inertia: _Quantity = ...,
+        m: _Quantity = ...,
+        kinetic_friction: _Quantity = ...,
+        mu: _Quantity = ...,
+        static_friction: _Quantity = ...,
+        mu_0: _Quantity = ...,
+        rotor_taper: _Quantity = ...,
+        rotor_mass: _Quantity = ...,
+        preload: _Quantity = ...,
+        F_N: _Quantity = ...,
+        substrate_inner_radius: _Quantity = ...,
+        substrate_outer_radius: _Quantity = ...,
+        substrate_thickness: _Quantity = ...,
+        substrate_youngs_modulus: _Quantity = ...,
+        substrate_poisson_ratio: _Quantity = ...,
+        substrate_density: _Quantity = ...,
+        web_inner_radius: _Quantity = ...,
+        web_outer_radius: _Quantity = ...,
+        web_thickness: _Quantity = ...,
+        teeth_count: _Quantity = ...,
+        teeth_height: _Quantity = ...,
+        teeth_slot_width: _Quantity = ...,
+        teeth_inner_radius: _Quantity = ...,
+        teeth_outer_radius: _Quantity = ...,
+        teeth_stiffness_share: _Quantity = ...,
+        glue_thickness: _Quantity = ...,
+        glue_youngs_modulus: _Quantity = ...,
+        glue_poisson_ratio: _Quantity = ...,
+        glue_density: _Quantity = ...,
+        ceramic_inner_radius: _Quantity = ...,
+        ceramic_outer_radius: _Quantity = ...,
+        ceramic_thickness: _Quantity = ...,
+        ceramic_youngs_modulus: _Quantity = ...,
+        ceramic_poisson_ratio: _Quantity = ...,
+        ceramic_density: _Quantity = ...,
+        ceramic_d31: _Quantity = ...,
+        ceramic_permittivity: _Quantity = ...,
+        electrodes_waves_per_phase: _Quantity = ...,
+        electrodes_inner_radius: _Quantity = ...,
+        electrodes_outer_radius: _Quantity = ...,
+    ) -> Motor: ...
+    # from the tables: end
     @property
     def name(self) -> str: ...
     @property
@@ -94,6 +279,7 @@ class Motor:
     def point(self, speed: _Quantity) -> OperatingPoint: ...
     def curve(self, speeds: _Quantity | Iterable[_Quantity] | None = None, *, points: int = 51) -> Curve: ...
     def fields(self, speed: _Quantity, samples: int = 400) -> Fields: ...
+    def _squeals(self, speeds: NDArray[np.float64]) -> list[bool | None]: ...
     # from the tables: begin
     @property
     def wavelengths(self) -> float: ...
@@ -479,6 +665,47 @@ class Motor:
     def sensor_phase_at(self, speed: _Quantity, *, torque: _Quantity) -> float: ...
     def drive_frequency_at(self, torque: _Quantity, speed: _Quantity) -> float: ...
     def drive_voltage_at(self, torque: _Quantity, speed: _Quantity) -> float: ...
+    @overload
+    def max_pressure_at(self, speed: _Quantity, *, torque: None = ...) -> float: ...
+    @overload
+    def max_pressure_at(self, speed: _Numbers, *, torque: None = ...) -> NDArray[np.float64]: ...
+    @overload
+    def max_pressure_at(self, speed: None = ..., *, torque: _Quantity) -> float: ...
+    @overload
+    def max_pressure_at(self, speed: None = ..., *, torque: _Numbers) -> NDArray[np.float64]: ...
+    @overload
+    def max_pressure_at(self, speed: _Quantity, *, torque: _Quantity) -> float: ...
+    @overload
+    def layer_aspect_at(self, speed: _Quantity, *, torque: None = ...) -> float: ...
+    @overload
+    def layer_aspect_at(self, speed: _Numbers, *, torque: None = ...) -> NDArray[np.float64]: ...
+    @overload
+    def layer_aspect_at(self, speed: None = ..., *, torque: _Quantity) -> float: ...
+    @overload
+    def layer_aspect_at(self, speed: None = ..., *, torque: _Numbers) -> NDArray[np.float64]: ...
+    @overload
+    def layer_aspect_at(self, speed: _Quantity, *, torque: _Quantity) -> float: ...
+    @overload
+    def ceramic_stress_at(self, speed: _Quantity, *, torque: None = ...) -> float: ...
+    @overload
+    def ceramic_stress_at(self, speed: _Numbers, *, torque: None = ...) -> NDArray[np.float64]: ...
+    @overload
+    def ceramic_stress_at(self, speed: None = ..., *, torque: _Quantity) -> float: ...
+    @overload
+    def ceramic_stress_at(self, speed: None = ..., *, torque: _Numbers) -> NDArray[np.float64]: ...
+    @overload
+    def ceramic_stress_at(self, speed: _Quantity, *, torque: _Quantity) -> float: ...
+    @overload
+    def held_speed_limit_at(self, torque: _Quantity) -> float: ...
+    @overload
+    def held_speed_limit_at(self, torque: _Numbers) -> NDArray[np.float64]: ...
+    @overload
+    def held_torque_limit_at(self, speed: _Quantity) -> float: ...
+    @overload
+    def held_torque_limit_at(self, speed: _Numbers) -> NDArray[np.float64]: ...
+    def pull_out_margin_at(self, torque: _Quantity, speed: _Quantity) -> float: ...
+    def torque_reserve_at(self, torque: _Quantity, speed: _Quantity) -> float: ...
+    def drive_reserve_at(self, torque: _Quantity, speed: _Quantity) -> float: ...
     # from the tables: end
 
 class DesignProblem:
@@ -495,9 +722,50 @@ class DesignProblem:
     def maximize(self, metric: str) -> DesignProblem: ...
     def minimize(self, metric: str) -> DesignProblem: ...
     def limit(self, text: str) -> DesignProblem: ...
-    def solve(self, **options: Any) -> Optimum: ...
-    def front(self, points: int = 50, **options: Any) -> list[Optimum]: ...
-    def size(self, duty: _Duty | Sequence[_Duty], **options: Any) -> Optimum: ...
+    def solve(
+        self,
+        *,
+        solver: str = ...,
+        starts: int = ...,
+        scan: int = ...,
+        tolerance: float = ...,
+        seed: int = ...,
+        max_evaluations: int = ...,
+        max_seconds: float = ...,
+        jobs: int = ...,
+        stop: _Stop | None = None,
+        progress: _Progress | None = None,
+    ) -> Optimum: ...
+    def front(
+        self,
+        points: int = 50,
+        *,
+        solver: str = ...,
+        starts: int = ...,
+        scan: int = ...,
+        tolerance: float = ...,
+        seed: int = ...,
+        max_evaluations: int = ...,
+        max_seconds: float = ...,
+        jobs: int = ...,
+        stop: _Stop | None = None,
+        progress: _Progress | None = None,
+    ) -> list[Optimum]: ...
+    def size(
+        self,
+        duty: _Duty | Sequence[_Duty],
+        *,
+        solver: str = ...,
+        starts: int = ...,
+        scan: int = ...,
+        tolerance: float = ...,
+        seed: int = ...,
+        max_evaluations: int = ...,
+        max_seconds: float = ...,
+        jobs: int = ...,
+        stop: _Stop | None = None,
+        progress: _Progress | None = None,
+    ) -> Optimum: ...
 
 def parameter_table() -> list[dict[str, Any]]: ...
 def metric_table() -> list[dict[str, Any]]: ...
@@ -510,6 +778,8 @@ def evaluate(
     metrics: str | Iterable[str],
     *,
     jobs: int = 0,
+    stop: _Stop | None = None,
+    progress: _Progress | None = None,
 ) -> dict[str, NDArray[Any]]: ...
 def gradients(
     motor: Motor,
@@ -518,6 +788,8 @@ def gradients(
     *,
     fixed_static_friction: bool = False,
     jobs: int = 0,
+    stop: _Stop | None = None,
+    progress: _Progress | None = None,
 ) -> dict[str, Derivatives]: ...
 def run_file(
     path: str,
@@ -525,5 +797,16 @@ def run_file(
     settings: list[str],
     jobs: int,
     fresh: bool,
-    progress: Callable[[int, int, str], None] | None,
-) -> tuple[str, str]: ...
+    progress: _Progress | None,
+    stop: _Stop | None,
+) -> tuple[dict[str, Any], str, str | None]: ...
+def run_entries(
+    study: dict[str, Any],
+    motor: Any,
+    directory: str,
+    settings: list[str],
+    jobs: int,
+    fresh: bool,
+    progress: _Progress | None,
+    stop: _Stop | None,
+) -> tuple[dict[str, Any], str, str | None]: ...

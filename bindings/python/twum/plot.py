@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plots with matplotlib, which is only needed here. The axes they return are for adding to."""
+from typing import Any
+
 import numpy as np
 
 _RPM = 30 / np.pi
 _ZONE_COLOURS = {"slip+": "tab:orange", "stick": "tab:green", "slip-": "tab:purple"}
 
 
-def _new_axes(count=1):
+def _new_axes(count: int = 1) -> Any:
     import matplotlib.pyplot as pyplot  # type: ignore[import]
 
     return pyplot.subplots(count, 1, sharex=True, layout="constrained")[1]
 
 
-def curve(curve, axes=None):
+def curve(curve: Any, axes: Any = None) -> Any:
     """Torque and output power over speed. Returns the axes; the power's are axes.figure.axes[-1]."""
     axes = _new_axes() if axes is None else axes
     axes.plot(curve.speed * _RPM, curve.torque, label="torque", color="tab:blue")
@@ -25,7 +27,7 @@ def curve(curve, axes=None):
     return axes
 
 
-def fields(fields, axes=None):
+def fields(fields: Any, axes: Any = None) -> Any:
     """Pressure and traction above velocities, over the phase of the wave. Returns both axes."""
     above, below = _new_axes(2) if axes is None else axes
     above.plot(fields.phase, fields.pressure / 1e6, label="pressure")

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import numbers
 import os
 import pathlib
-import tempfile
 from dataclasses import dataclass, field
-from typing import Any, Callable, Mapping
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 import numpy as np
 
 from . import _twum
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Texts = NDArray[np.object_]
 
 _NAMES = {row["symbol"]: row["name"] for row in _twum.parameter_table() if row["symbol"]}
 
@@ -22,34 +28,34 @@ _NAMES = {row["symbol"]: row["name"] for row in _twum.parameter_table() if row["
 class Curve:
     """Torque-speed curve of a motor: arrays over the speeds, SI units, NaN where status is not 'ok'."""
 
-    motor: Any = field(repr=False)
-    speed: np.ndarray  # [rad/s]
-    torque: np.ndarray  # [N.m]
-    output_power: np.ndarray  # [W]
-    stator_power: np.ndarray  # [W]
-    friction_power: np.ndarray  # [W]
-    layer_loss: np.ndarray  # [W]
-    contact_efficiency: np.ndarray
-    wear_intensity: np.ndarray  # [W/m^2]
-    stick_fraction: np.ndarray
-    status: list
+    motor: _twum.Motor = field(repr=False)
+    speed: Floats  # [rad/s]
+    torque: Floats  # [N.m]
+    output_power: Floats  # [W]
+    stator_power: Floats  # [W]
+    friction_power: Floats  # [W]
+    layer_loss: Floats  # [W]
+    contact_efficiency: Floats
+    wear_intensity: Floats  # [W/m^2]
+    stick_fraction: Floats
+    status: list[str]
     # What a motor with modal data has besides.
-    amplitude: np.ndarray | None = None  # [m]
-    phase_lag: np.ndarray | None = None  # [rad]
-    voltage: np.ndarray | None = None  # [V], rms
-    phase_current: np.ndarray | None = None  # [A], rms
-    power_factor: np.ndarray | None = None
-    electrical_power: np.ndarray | None = None  # [W]
-    overall_efficiency: np.ndarray | None = None
-    dielectric_loss: np.ndarray | None = None  # [W]
-    stator_loss: np.ndarray | None = None  # [W]
+    amplitude: Floats | None = None  # [m]
+    phase_lag: Floats | None = None  # [rad]
+    voltage: Floats | None = None  # [V], rms
+    phase_current: Floats | None = None  # [A], rms
+    power_factor: Floats | None = None
+    electrical_power: Floats | None = None  # [W]
+    overall_efficiency: Floats | None = None
+    dielectric_loss: Floats | None = None  # [W]
+    stator_loss: Floats | None = None  # [W]
 
     @property
     def squeals(self) -> list[bool | None]:
         """Whether the motor squeals at each speed; None where that is not known. Computed anew at each access."""
         return self.motor._squeals(self.speed)
 
-    def plot(self, axes=None):
+    def plot(self, axes: Any = None) -> Any:
         """Torque and output power over speed, with matplotlib; returns its axes."""
         from . import plot
 
@@ -60,17 +66,17 @@ class Curve:
 class Fields:
     """The contact along one wave: arrays over the phase, SI units; zones as (state, from, to)."""
 
-    motor: Any = field(repr=False)
-    point: Any = field(repr=False)
-    phase: np.ndarray  # [rad], crest at 0
-    pressure: np.ndarray  # [Pa]
-    traction: np.ndarray  # [Pa], positive in drive direction
-    displacement: np.ndarray  # [m]
-    stator_velocity: np.ndarray  # [m/s]
-    layer_velocity: np.ndarray  # [m/s]
-    zones: list
+    motor: _twum.Motor = field(repr=False)
+    point: _twum.OperatingPoint = field(repr=False)
+    phase: Floats  # [rad], crest at 0
+    pressure: Floats  # [Pa]
+    traction: Floats  # [Pa], positive in drive direction
+    displacement: Floats  # [m]
+    stator_velocity: Floats  # [m/s]
+    layer_velocity: Floats  # [m/s]
+    zones: list[tuple[str, float, float]]
 
-    def plot(self, axes=None):
+    def plot(self, axes: Any = None) -> Any:
         """Pressure, traction and velocities over the phase, with matplotlib; returns its two axes."""
         from . import plot
 
@@ -85,12 +91,12 @@ class Derivatives:
     `status` is not 'ok' or `smoothness` is 'undefined'.
     """
 
-    value: np.ndarray
-    gradient: dict = field(repr=False)  # arrays by the name of the parameter
-    smoothness: np.ndarray = field(repr=False)  # texts, as of Derivative
-    status: np.ndarray = field(repr=False)  # 'ok', or why a design has no value
+    value: Floats
+    gradient: dict[str, Floats] = field(repr=False)  # arrays by the name of the parameter
+    smoothness: Texts = field(repr=False)  # texts, as of Derivative
+    status: Texts = field(repr=False)  # 'ok', or why a design has no value
 
-    def __getitem__(self, parameter: str) -> np.ndarray:
+    def __getitem__(self, parameter: str) -> Floats:
         return self.gradient[_NAMES.get(parameter, parameter)]
 
 
@@ -103,51 +109,54 @@ class Optimum:
     """
 
     outcome: str
-    motor: Any = field(repr=False)
-    design: dict  # the variables, SI
-    choice: dict  # the set that the design has of each choice, by name
-    objective: dict
-    limits: list = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
-    certificate: dict = field(repr=False)
-    relaxation: list = field(repr=False)  # dictionaries: text, limit, amount, amount_alone
-    impossible: list = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
-    ranges: list = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, limit_alone
-    scan: dict = field(repr=False)  # designs sampled, of these feasible and better, whether one led here, the objective before
+    motor: _twum.Motor = field(repr=False)
+    design: dict[str, float]  # the variables, SI
+    choice: dict[str, str]  # the set that the design has of each choice, by name
+    objective: dict[str, float]
+    limits: list[dict[str, Any]] = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
+    certificate: dict[str, Any] = field(repr=False)
+    relaxation: list[dict[str, Any]] = field(repr=False)  # dictionaries: text, limit, amount, amount_alone
+    impossible: list[dict[str, Any]] = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
+    ranges: list[dict[str, Any]] = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, limit_alone
+    scan: dict[str, Any] = field(repr=False)  # designs sampled, of these feasible and better, whether one led here, the objective before
     solver: str
     evaluations: int
-    failures: dict
+    failures: dict[str, int]
 
 
 @dataclass(frozen=True, eq=False)
 class StudyResult:
     """Result of a study: the content of summary.json, and the evaluations as arrays, SI units."""
 
-    summary: dict
-    rows: dict = field(repr=False)  # arrays by column name; 'status' holds texts
+    summary: dict[str, Any]
+    rows: dict[str, NDArray[Any]] = field(repr=False)  # arrays by column name; 'status' holds texts
     text: str = field(repr=False, default="")  # the summary in words
     directory: "str | None" = None  # where the result is kept, if it is
 
     @property
     def outcome(self) -> str:
-        return self.summary["outcome"]
+        return str(self.summary["outcome"])
 
     def __getitem__(self, name: str) -> Any:
         return self.summary[name]
 
 
-def _column(texts):
+def _column(texts: Sequence[str]) -> NDArray[Any]:
     try:
         return np.array([float(text) if text else np.nan for text in texts])
     except ValueError:
         return np.array(texts, dtype=object)
 
 
-def _rows(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        lines = list(csv.reader(file))
+def _rows(text: str) -> dict[str, NDArray[Any]]:
+    lines = list(csv.reader(io.StringIO(text, newline="")))
     names = [name.rsplit(" [", 1)[0] for name in lines[0]]
-    columns = list(zip(*lines[1:])) or [[] for _ in names]
+    columns: list[tuple[str, ...]] = list(zip(*lines[1:])) or [() for _ in names]
     return {name: _column(column) for name, column in zip(names, columns)}
+
+
+def _kept_rows(folder: pathlib.Path) -> dict[str, NDArray[Any]]:
+    return _rows((folder / "results.csv").read_bytes().decode("utf-8"))
 
 
 def read_result(directory: str | os.PathLike[str]) -> StudyResult:
@@ -155,7 +164,7 @@ def read_result(directory: str | os.PathLike[str]) -> StudyResult:
     folder = pathlib.Path(directory)
     try:
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        return StudyResult(summary, _rows(folder / "results.csv"), directory=str(folder))
+        return StudyResult(summary, _kept_rows(folder), directory=str(folder))
     except FileNotFoundError as error:
         raise _twum.InputError(f"{folder}: no result of a study; {pathlib.Path(error.filename).name} is missing") from None
 
@@ -164,7 +173,7 @@ def _settings(parameters: Mapping[str, Any]) -> list[str]:
     """Settings as the command line has them; numbers are SI."""
     units = {row[key]: row["unit"] for row in _twum.parameter_table() for key in ("name", "symbol")}
 
-    def text(name, value):
+    def text(name: str, value: Any) -> str:
         if isinstance(value, str):
             return value
         if isinstance(value, bool) or not isinstance(value, numbers.Real):
@@ -174,30 +183,18 @@ def _settings(parameters: Mapping[str, Any]) -> list[str]:
         except OverflowError:
             raise _twum.InputError(f"set: {name}: this integer is beyond the range of a float") from None
         unit = units.get(name, "1")
-        return number + ("" if unit == "1" else " " + unit)
+        return number + ("" if unit == "1" else f" {unit}")
 
     return [f"{name}={text(name, value)}" for name, value in parameters.items()]
 
 
-def _plain(value):
-    """Arrays and numbers of NumPy in a study that is given as a dictionary."""
-    if isinstance(value, (np.ndarray, np.generic)) and value.dtype.kind in "iufU":
-        return value.tolist()
-    raise TypeError(f"study: expected numbers, texts, lists and dictionaries, not {getattr(value, 'dtype', type(value))}")
-
-
-def _written(study: Mapping[str, Any], motor: Any, folder: pathlib.Path) -> pathlib.Path:
-    """A study given as a dictionary, as a file."""
+def _entries(study: Mapping[str, Any], motor: Any) -> dict[str, Any]:
+    """A study given as a dictionary, as the entries of a study file."""
     content = dict(study) if "study" in study else {"study": dict(study)}
     content.setdefault("twum", 1)
-    if isinstance(motor, _twum.Motor):
-        (folder / "motor.yaml").write_text(motor.file_text(), encoding="utf-8")
-        content["motor"] = "motor.yaml"
-    elif motor is not None:
+    if motor is not None and not isinstance(motor, _twum.Motor):
         content["motor"] = os.path.abspath(motor)
-    path = folder / "study.yaml"
-    path.write_text(json.dumps(content, indent=2, ensure_ascii=False, default=_plain), encoding="utf-8")
-    return path
+    return content
 
 
 def run(
@@ -209,21 +206,23 @@ def run(
     jobs: int = 0,
     fresh: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
+    stop: Any = None,
 ) -> StudyResult:
     """Runs a study: a file, or a dictionary of its entries with `motor` a Motor or a path.
 
-    With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew.
-    `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
-    known) and the best so far. Ctrl-C ends the run. FileError says everything that is wrong.
+    Numbers in a dictionary are in SI units, texts carry their unit; its paths are relative to the current folder.
+    With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew. Without one it is
+    kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
+    known) and the best so far. Ctrl-C ends the run; `stop`, such as a threading.Event, ends it with the outcome
+    'interrupted' and the rows so far. FileError says everything that is wrong.
     """
-    with tempfile.TemporaryDirectory(prefix="twum-") as scratch:
-        if isinstance(study, Mapping):
-            path = _written(study, motor, pathlib.Path(scratch))
-        elif motor is not None:
-            raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
-        else:
-            path = pathlib.Path(study)
-        folder = os.fspath(directory) if directory is not None else os.path.join(scratch, "result")
-        summary, text = _twum.run_file(os.fspath(path), folder, _settings(set or {}), jobs, fresh, progress)
-        rows = _rows(os.path.join(folder, "results.csv"))
+    folder = "" if directory is None else os.fspath(directory)
+    how = (folder, _settings(set or {}), jobs, fresh, progress, stop)
+    if isinstance(study, Mapping):
+        summary, text, table = _twum.run_entries(_entries(study, motor), motor, *how)
+    elif motor is not None:
+        raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
+    else:
+        summary, text, table = _twum.run_file(os.fspath(study), *how)
+    rows = _kept_rows(pathlib.Path(folder)) if table is None else _rows(table)
     return StudyResult(summary, rows, text, None if directory is None else folder)

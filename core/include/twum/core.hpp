@@ -18,6 +18,7 @@
 ///   an error follows the locale.
 
 #include <twum/base/error.hpp>
+#include <twum/base/same_containers.hpp>
 #include <twum/base/version.hpp>
 #include <twum/core/backward_wave.hpp>
 #include <twum/core/batch.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "design/held_traps.hpp"
 #include "drive/drive.hpp"
 
 #include <atomic>
@@ -31,6 +32,7 @@ class LazyDrive {
   // Two threads that ask at once both search, and find the same.
   const Found& found() const {
     if (const Found* known = found_.load()) return *known;
+    const HeldTraps traps;
     auto mine = std::make_unique<const Found>(design_);
     const Found* first = nullptr;
     return found_.compare_exchange_strong(first, mine.get()) ? *mine.release() : *first;

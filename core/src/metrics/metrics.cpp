@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/metrics.hpp>
 
+#include "design/held_traps.hpp"
 #include "metrics/differentiator.hpp"
 #include "metrics/held_metrics.hpp"
 #include "point/slice_count.hpp"
@@ -14,6 +15,7 @@ namespace twum {
 using namespace core;
 
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
+  const HeldTraps traps;
   SpeedDerivative d;
   d.point = motor.operating_point(speed);
   if (d.point.status != PointStatus::ok) {
@@ -76,6 +78,7 @@ class Parts {
 }  // namespace
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+  const HeldTraps traps;
   Parts<Evaluator, MetricValue> parts(motor);
   std::vector<MetricValue> values;
   values.reserve(requests.size());
@@ -87,16 +90,24 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
+  const HeldTraps traps;
   return evaluate(motor, std::span(&request, 1)).front();
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
+  const HeldTraps traps;
   return Evaluator(motor).evaluate_at_share(metric, share);
+}
+
+MetricDerivative differentiate(const Motor& motor, const MetricRequest& request,
+                               bool fixed_static_friction) {
+  return differentiate(motor, std::span(&request, 1), fixed_static_friction).front();
 }
 
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
+  const HeldTraps traps;
   Parts<Differentiator, MetricDerivative> parts(motor, fixed_static_friction);
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
@@ -108,16 +119,19 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
 }
 
 MetricValue evaluate_beyond_drive(const Motor& motor, const MetricRequest& request) {
+  const HeldTraps traps;
   return HeldMetrics(motor.design(), true).evaluate(request);
 }
 
 MetricDerivative differentiate_beyond_drive(const Motor& motor, const MetricRequest& request,
                                             bool fixed_static_friction) {
+  const HeldTraps traps;
   return HeldMetrics(motor.design(), true).differentiate(request, fixed_static_friction);
 }
 
 MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
                                         bool fixed_static_friction) {
+  const HeldTraps traps;
   return Differentiator(motor, fixed_static_friction).differentiate_at_share(metric, share);
 }
 

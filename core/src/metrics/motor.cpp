@@ -2,6 +2,7 @@
 #include <twum/base/no_value.hpp>
 #include <twum/core/motor.hpp>
 
+#include "design/held_traps.hpp"
 #include "drive/lazy_drive.hpp"
 #include "point/fields.hpp"
 #include "point/operating_point.hpp"
@@ -29,6 +30,7 @@ std::string speed_text(double speed) {
 }  // namespace
 
 Motor::Motor(const MotorDesign& design) : design_(design) {
+  const core::HeldTraps held;
   require_motor(design);
   if (const auto modes = core::stator_modes(design))
     modes_ = std::make_shared<const core::StatorModes<double>>(*modes);
@@ -88,6 +90,7 @@ core::MotorPoint Motor::solved(double speed) const {
 }
 
 OperatingPoint Motor::operating_point(double speed) const {
+  const core::HeldTraps held;
   require_speed(model(), speed);
   if (!drive_)
     return core::operating_point_of(model(), core::solve_point(model(), speed), speed, modes());
@@ -96,6 +99,7 @@ OperatingPoint Motor::operating_point(double speed) const {
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
+  const core::HeldTraps held;
   require_admissible(Parameter::amplitude, at.amplitude);
   require_admissible(Parameter::frequency, at.frequency);
   const core::DrivenMotor<double> m =
@@ -121,6 +125,7 @@ void require_on_track(const core::DrivenMotor<double>& m, double radius) {
 std::vector<Zone> Motor::zones(double speed) const { return zones(speed, model().r); }
 
 std::vector<Zone> Motor::zones(double speed, double radius) const {
+  const core::HeldTraps held;
   require_on_track(model(), radius);
   const auto [motor, point] = solved(speed);
   if (point.status != PointStatus::ok) return {};
@@ -132,6 +137,7 @@ ContactFields Motor::fields(double speed, int samples) const {
 }
 
 ContactFields Motor::fields(double speed, int samples, double radius) const {
+  const core::HeldTraps held;
   if (samples < 2)
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
   require_on_track(model(), radius);
@@ -144,12 +150,14 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
 }
 
 BackwardWave Motor::backward_wave(double speed) const {
+  const core::HeldTraps held;
   require_speed(model(), speed);
   const auto [motor, point] = solved(speed);
   return core::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
 }
 
 std::vector<WaveState> Motor::wave_states(double speed) const {
+  const core::HeldTraps held;
   require_speed(model(), speed);
   std::vector<WaveState> states;
   if (!drive_) return states;

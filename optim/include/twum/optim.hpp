@@ -8,12 +8,14 @@
 /// Optimization without motors: problems in user units, solvers, certificates, fronts, least squares.
 ///
 /// The rules of namespace twum on threads and errors hold here. A solve calls the given evaluator and passes its
-/// exceptions on. Several solves may run at once, but only one of them in Ipopt; the others wait.
+/// exceptions on. Several solves may run at once, and an evaluator may itself solve. One at a time computes within Ipopt.
 
 #include <twum/base/error.hpp>
+#include <twum/base/same_containers.hpp>
 #include <twum/base/version.hpp>
 #include <twum/optim/certificate.hpp>
 #include <twum/optim/certify.hpp>
+#include <twum/optim/check_derivatives.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>

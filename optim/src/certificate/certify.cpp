@@ -365,6 +365,8 @@ std::optional<Certified> certify_in(Session& session, const Scaling& search,
 Certificate certify(const Problem& problem, std::span<const double> design,
                     const SolveOptions& options) {
   validate(problem);
+  if (!problem.derivatives)
+    throw InputError("certify: it needs derivatives, which this problem does not give");
   if (design.size() != problem.variables.size())
     throw InputError("certify: the design has " + std::to_string(design.size()) + " values for " +
                      std::to_string(problem.variables.size()) + " variables");

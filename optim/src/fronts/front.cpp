@@ -20,6 +20,8 @@ std::vector<double> minimized(const Problem& problem, const Evaluation& evaluati
 
 void validate_front(const Problem& problem, const std::vector<double>& reference) {
   validate(problem);
+  if (!problem.derivatives)
+    throw InputError("a front needs derivatives, which this problem does not give");
   const std::size_t k = problem.objectives.size();
   if (k != 2 && k != 3)
     throw InputError("a front needs two or three objectives; the problem has " + std::to_string(k));

@@ -195,6 +195,7 @@ void conclude(FrontSearch& search, Front& front) {
 
 Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   validate_front(problem, options.reference);
+  validate(options.solve);
   if (options.points == 0) throw InputError("a front of no points: `points` is at least 1");
   if (has_free_integers(problem)) return integer_front(problem, options);
   SolveOptions solve = options.solve;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/error.hpp>
+#include <twum/optim/options.hpp>
 #include <twum/optim/problem.hpp>
 
 #include <algorithm>
@@ -58,6 +59,21 @@ void validate(const Problem& problem) {
   require_names(problem.constraints, "constraint");
   for (const auto& v : problem.variables) validate_variable(v);
   for (const auto& c : problem.constraints) validate_constraint(c);
+}
+
+void validate(const SolveOptions& options) {
+  const bool automatic = options.solver == "auto";
+  require(options.tolerance > 0.0 && options.tolerance < 1.0,
+          "tolerance: " + std::to_string(options.tolerance) + "; it must lie between 0 and 1");
+  require(options.feasibility_tolerance >= 0.0 && std::isfinite(options.feasibility_tolerance),
+          "feasibility_tolerance: " + std::to_string(options.feasibility_tolerance) +
+              "; it must be a finite number, at least 0");
+  require(options.budget.seconds >= 0.0,
+          "budget.seconds: " + std::to_string(options.budget.seconds) + "; it must be at least 0");
+  require(!automatic || options.solver_options.empty(),
+          "solver_options: solver 'auto' takes none; name the solver that they are for");
+  require(automatic || options.global.empty(),
+          "global: only solver 'auto' runs a global algorithm first");
 }
 
 std::vector<double> start_design(const Problem& problem) {

@@ -28,8 +28,10 @@ void check_sizes(const Evaluation& e, const Problem& problem, bool gradient) {
     throw InputError("the evaluator gave " + std::to_string(e.values.size()) + " values for " +
                      std::to_string(rows) + " responses");
   if ((gradient || !e.jacobian.empty()) && e.jacobian.size() != entries)
-    throw InputError("the evaluator gave " + std::to_string(e.jacobian.size()) +
-                     " derivatives where " + std::to_string(entries) + " were expected");
+    throw InputError(
+        "the evaluator gave " + std::to_string(e.jacobian.size()) + " derivatives where " +
+        std::to_string(entries) + " were expected" +
+        (e.jacobian.empty() ? "; if it has none, set Problem::derivatives to false" : ""));
 }
 
 // A derivative that is not finite does not fail the design. It is marked as undefined, which matters only if it is

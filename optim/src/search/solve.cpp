@@ -7,6 +7,7 @@
 #include "search/infeasibility.hpp"
 #include "search/integer_search.hpp"
 #include "search/solve_continuous.hpp"
+#include "search/without_derivatives.hpp"
 #include "solvers/allowance.hpp"
 
 #include <algorithm>
@@ -350,6 +351,7 @@ Result solve_plainly(const Problem& problem, const SolveOptions& options,
 
 Result solve(const Problem& problem, const SolveOptions& options) {
   validate(problem);
+  validate(options);
   if (problem.objectives.size() != 1)
     throw InputError("solve: the problem has " + std::to_string(problem.objectives.size()) +
                      " objectives; a front needs pareto_front");
@@ -358,6 +360,7 @@ Result solve(const Problem& problem, const SolveOptions& options) {
   SolveOptions own = options;
   own.observer = serialized(options.observer);
   const Deadline deadline(options.budget.seconds);
+  if (!problem.derivatives) return solve_without_derivatives(problem, own, deadline);
   Result result = solve_plainly(problem, own, deadline);
   if (!result.infeasibility.relaxations.empty())
     complete_explanation(problem, own, deadline, result);

@@ -3,6 +3,7 @@
 #include "solvers/ipopt_options.hpp"
 #include "solvers/optimizer.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
@@ -16,18 +17,39 @@ using Ipopt::Index;
 using Ipopt::Number;
 constexpr double kIpoptInfinity = 2e19;  // what Ipopt takes as no bound
 
-// One Ipopt at a time in this process: the sequential MUMPS under it keeps global state.
-std::mutex& ipopt_lock() {
-  static std::mutex lock;
+// One thread at a time is in the code of Ipopt, because the sequential MUMPS under it keeps global state during a call.
+// A thread leaves the code while it evaluates a design. So solves share Ipopt, and an evaluator may itself solve with it.
+std::timed_mutex& ipopt_lock() {
+  static std::timed_mutex lock;
   return lock;
+}
+using IpoptTurn = std::unique_lock<std::timed_mutex>;
+
+// Gives the turn to others in its scope.
+class TurnPassed {
+ public:
+  explicit TurnPassed(IpoptTurn& turn) : turn_(turn) { turn_.unlock(); }
+  ~TurnPassed() { turn_.lock(); }
+  TurnPassed(const TurnPassed&) = delete;
+  TurnPassed& operator=(const TurnPassed&) = delete;
+
+ private:
+  IpoptTurn& turn_;
+};
+
+// Waits for the first turn of a solve. @throws Stop if the solve must end before
+void take_turn(IpoptTurn& turn, const Session& session) {
+  constexpr std::chrono::milliseconds kLook{10};
+  do session.heed();
+  while (!turn.try_lock_for(kLook));
 }
 
 // The callbacks of one run. They never throw into Ipopt; an evaluation that failed is answered
 // with false, whereupon Ipopt tries a shorter step.
 class Bridge : public Ipopt::TNLP {
  public:
-  Bridge(Nlp& nlp, std::span<const double> start, std::size_t calls)
-      : nlp_(nlp), start_(start.begin(), start.end()), allowance_(nlp, calls) {}
+  Bridge(Nlp& nlp, std::span<const double> start, std::size_t calls, IpoptTurn& turn)
+      : nlp_(nlp), start_(start.begin(), start.end()), allowance_(nlp, calls), turn_(turn) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian,
                     IndexStyleEnum& style) override {
@@ -121,6 +143,7 @@ class Bridge : public Ipopt::TNLP {
   const NlpValue* request(Index n, const Number* z) {
     if (halted()) return nullptr;
     const std::span<const double> point(z, static_cast<std::size_t>(n));
+    const TurnPassed passed(turn_);
     try {
       return allowance_.take(point) ? nlp_.at(point, true) : nullptr;
     } catch (const Stop& s) {
@@ -134,6 +157,7 @@ class Bridge : public Ipopt::TNLP {
   Nlp& nlp_;
   std::vector<double> start_;
   Allowance allowance_;
+  IpoptTurn& turn_;
   std::vector<double> final_;
   std::exception_ptr error_;
   StopReason stop_{StopReason::finished};
@@ -183,9 +207,17 @@ RunReport run_ipopt(const SolverInfo&, Nlp& nlp, std::span<const double> start,
                     const RunSettings& settings) {
   require_known_options(settings, ipopt_options());
   const IpoptSettings checked = check_ipopt_settings(settings);
-  const std::lock_guard<std::mutex> guard(ipopt_lock());
+  IpoptTurn turn(ipopt_lock(), std::defer_lock);
+  try {
+    take_turn(turn, nlp.session());
+  } catch (const Stop& s) {
+    RunReport none;
+    none.word = "stopped before its start";
+    none.stop = s.reason;
+    return none;
+  }
   // The counts of SmartPtr are not atomic: everything of Ipopt lives and dies under the lock.
-  const Ipopt::SmartPtr<Bridge> bridge = new Bridge(nlp, start, settings.max_calls);
+  const Ipopt::SmartPtr<Bridge> bridge = new Bridge(nlp, start, settings.max_calls, turn);
   RunReport report = solve_locked(bridge, checked);
   if (bridge->error()) std::rethrow_exception(bridge->error());
   report.stop = bridge->stop();

@@ -242,12 +242,35 @@ Field<SensitivityStudy> sensitivity_samples() {
   return field;
 }
 
-// An entry whose default applies to lhs and sobol only.
+bool is_drawn(const SweepStudy& study) {
+  return study.sampling == Sampling::lhs || study.sampling == Sampling::sobol;
+}
+
+// The entry `variables` of a sweep. Numbers of points are those of a grid.
+Field<SweepStudy> sweep_variables() {
+  auto field = required<SweepStudy>(
+      "variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
+      &SweepStudy::variables);
+  field.write = [write = field.write](const SweepStudy& from) {
+    std::optional<YamlNode> node = write(from);
+    if (from.sampling == Sampling::grid) return node;
+    for (YamlEntry& variable : node->entries)
+      std::erase_if(variable.value.entries,
+                    [](const YamlEntry& entry) { return entry.key == "points"; });
+    return node;
+  };
+  return field;
+}
+
+// An entry of lhs and sobol only.
 Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
   const YamlNode value = *field.write(SweepStudy{});
   field.has_standard = false;
   field.entry.fallback = typed_text(value) + ", for lhs and sobol";
   field.entry.standards = {{value, "sampling", {"lhs", "sobol"}}};
+  field.write = [write = field.write](const SweepStudy& from) {
+    return is_drawn(from) ? write(from) : std::nullopt;
+  };
   return hidden(std::move(field));
 }
 
@@ -319,10 +342,7 @@ Shape<SweepStudy> SweepStudy::shape() {
   using S = SweepStudy;
   return mapping<S>(
       "a grid, list or sample of designs",
-      {kind_field<S>(),
-       required<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
-                   &S::variables),
-       derived_field<S>(),
+      {kind_field<S>(), sweep_variables(), derived_field<S>(),
        required<S>("sampling",
                    word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
                    &S::sampling),

@@ -6,6 +6,7 @@
 #include "entries/robust_shapes.hpp"
 #include "entries/solver_entry.hpp"
 
+#include <twum/base/no_value.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/settings.hpp>
 #include <twum/optim/least_squares.hpp>
@@ -130,7 +131,9 @@ Shape<MotorLimit> duty_point() {
   return shape_as<MotorLimit, Duty>(
       point, [](const Duty& duty) { return parse_limit(duty.text); },
       [](const MotorLimit& limit) {
-        return Duty{limit.lower, limit.metric.request()->at, {}};
+        const auto request = limit.metric.request();
+        const bool duty = request && request->metric == Metric::torque_at;
+        return Duty{limit.lower, duty ? request->at : kNoValue, {}};
       });
 }
 

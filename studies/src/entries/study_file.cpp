@@ -6,6 +6,7 @@
 #include "entries/plate_derivatives.hpp"
 #include "entries/study_kinds.hpp"
 #include "entries/tolerance_shape.hpp"
+#include "yaml/yaml_text.hpp"
 
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
@@ -92,10 +93,10 @@ std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folde
   return motor;
 }
 
-// Checks that need the motor, such as tolerances relative to its values. For a motor found by an earlier study, they
-// are made when the study runs.
-void check_with_motor(const StudyText& text, const MotorDesign& design, const YamlNode& root,
-                      Diagnostics& diagnostics) {
+// Checks tolerances relative to the motor's values. For a motor found by an earlier study, this is done when the study
+// runs.
+void check_all_tolerances(const Study& asked_study, const MotorDesign& design, const YamlNode& root,
+                          Diagnostics& diagnostics) {
   const YamlNode* study = root.find("study");
   if (study == nullptr) return;
   const auto check = [&](const auto& asked, const std::vector<Tolerance>& list, const char* entry) {
@@ -110,7 +111,7 @@ void check_with_motor(const StudyText& text, const MotorDesign& design, const Ya
         else if constexpr (requires { asked.tolerances; })
           check(asked, asked.tolerances, "tolerances");
       },
-      text.study);
+      asked_study);
 }
 
 // A sweep of the frequency needs a motor whose wave follows from it.
@@ -253,6 +254,29 @@ void check_choices(const Study& study, const MotorDesign& motor, YamlNode& root,
   std::visit(check, study);
 }
 
+// Checks of a question that need its motor. Each kind of check assumes that those before it found nothing.
+// @param root       the file in which errors are placed
+// @param sets_read  whether the sets of `choose` have their values
+void check_with_motor(const Study& study, const MotorDesign& motor, YamlNode& root, bool sets_read,
+                      Diagnostics& diagnostics) {
+  check_all_tolerances(study, motor, root, diagnostics);
+  if (diagnostics.empty()) check_drive(study, motor, root, diagnostics);
+  if (diagnostics.empty()) check_derived(study, motor, root, diagnostics);
+  if (diagnostics.empty() && sets_read) check_choices(study, motor, root, diagnostics);
+  if (diagnostics.empty() && sets_read) check_defined(study, motor, root, diagnostics);
+  if (diagnostics.empty()) check_plate_derivatives(study, motor, root, diagnostics);
+}
+
+// The errors of a study that is not a file: "study.variables.preload: ...; ...", one line each.
+std::string without_places(const FileError& error) {
+  std::string text;
+  for (const Diagnostic& one : error.diagnostics()) {
+    text += (text.empty() ? "" : "\n") + (one.entry.empty() ? "" : one.entry + ": ") + one.found;
+    if (!one.expected.empty()) text += "; " + one.expected;
+  }
+  return text;
+}
+
 // The study's errors, then those of the files that it names.
 void throw_all(const Diagnostics& diagnostics, const std::vector<FileError>& files) {
   std::optional<FileError> all;
@@ -293,18 +317,28 @@ StudyFile read_study(const Source& source, const std::string& folder,
   if (sets.errors()) files.push_back(*sets.errors());
   if (motor) {
     motor->design = with_settings(motor->design, settings);
-    check_with_motor(text, motor->design, root, diagnostics);
-    if (diagnostics.empty()) check_drive(text.study, motor->design, root, diagnostics);
-    if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
-    if (diagnostics.empty() && files.empty())
-      check_choices(text.study, motor->design, root, diagnostics);
-    if (diagnostics.empty() && files.empty())
-      check_defined(text.study, motor->design, root, diagnostics);
-    if (diagnostics.empty()) check_plate_derivatives(text.study, motor->design, root, diagnostics);
+    check_with_motor(text.study, motor->design, root, files.empty(), diagnostics);
   }
   throw_all(diagnostics, files);
   TWUM_ASSERT(motor.has_value());
   return {std::move(*motor), std::move(text.study), *root.find("study"), folder, source.name()};
+}
+
+void validate(const StudyFile& file) {
+  const YamlNode asked = study_shape(file.kind()).write(file.asked);
+  const Source source("study", "twum: 1\nmotor: given\nstudy:\n" + yaml_text(asked, 1));
+  Diagnostics diagnostics(source);
+  try {
+    require_motor(file.motor.design);
+    YamlNode root = load_yaml(diagnostics);
+    StudyText text;
+    study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);
+    diagnostics.throw_if_any();
+    check_with_motor(file.asked, file.motor.design, root, true, diagnostics);
+    diagnostics.throw_if_any();
+  } catch (const FileError& error) {
+    throw InputError(without_places(error));
+  }
 }
 
 StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {

@@ -2,6 +2,7 @@
 #include "problem/combinations.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,14 @@ namespace {
 
 // The number of a set in a design, from 0.
 std::size_t number_of_set(double value) { return static_cast<std::size_t>(std::lround(value)) - 1; }
+
+// Checks the number of values of a design: those of its variables, then a number for each choice.
+void require_size(const DesignProblem& problem, std::span<const double> design) {
+  const std::size_t expected = problem.variables.size() + problem.choices.size();
+  if (design.size() == expected) return;
+  throw InputError("design: " + counted(design.size(), "value") + ", but the problem has " +
+                   std::to_string(expected) + " variables and choices");
+}
 
 // The motor with the sets of the combination `number`.
 MotorDesign motor_with_sets(const DesignProblem& problem, std::size_t combination) {
@@ -42,7 +51,7 @@ std::vector<DesignProblem> combinations(const DesignProblem& problem) {
 }
 
 std::size_t combination_of(const DesignProblem& problem, std::span<const double> design) {
-  TWUM_ASSERT(design.size() == problem.variables.size() + problem.choices.size());
+  require_size(problem, design);
   std::size_t combination = 0;
   for (std::size_t i = problem.choices.size(); i-- > 0;)
     combination = combination * problem.choices[i].sets.size() +
@@ -52,7 +61,7 @@ std::size_t combination_of(const DesignProblem& problem, std::span<const double>
 
 std::vector<const ParameterSet*> chosen_sets(const DesignProblem& problem,
                                              std::span<const double> design) {
-  TWUM_ASSERT(design.size() == problem.variables.size() + problem.choices.size());
+  require_size(problem, design);
   std::vector<const ParameterSet*> sets;
   for (std::size_t i = 0; i < problem.choices.size(); ++i)
     sets.push_back(
@@ -75,7 +84,6 @@ MotorDesign motor_of(const DesignProblem& problem, std::span<const double> desig
 
 MotorDesign motor_of_combination(const DesignProblem& problem, const VariedParameters& varied,
                                  std::span<const double> values) {
-  TWUM_ASSERT(values.size() == problem.variables.size());
   std::vector<double> list(values.begin(), values.end());
   double kinetic = problem.motor.friction.kinetic;
   for (std::size_t j = 0; j < values.size(); ++j) {

@@ -4,7 +4,9 @@
 #include "problem/motor_responses.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/io/number.hpp>
 #include <twum/io/value_error.hpp>
+#include <twum/motors/settings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +75,20 @@ DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximi
 
 }  // namespace
 
-DesignProblem& DesignProblem::vary(Parameter parameter, double min, double max, bool log) {
-  variables.push_back({parameter, min, max, log});
+DesignProblem& DesignProblem::vary(Parameter parameter, double min, double max, optim::Scale scale,
+                                   std::optional<double> start) {
+  variables.push_back(
+      {parameter, min, max, scale == optim::Scale::log, start.value_or(DesignVariable{}.start)});
   return *this;
+}
+
+DesignProblem& DesignProblem::vary(std::string_view parameter, std::string_view min,
+                                   std::string_view max, optim::Scale scale) {
+  const Parameter which = parse_parameter(parameter);
+  const auto value = [&](std::string_view text) {
+    return parse_setting(std::string(info(which).name) + "=" + std::string(text)).second;
+  };
+  return vary(which, value(min), value(max), scale);
 }
 
 DesignProblem& DesignProblem::maximize(std::string_view metric) {
@@ -89,6 +102,19 @@ DesignProblem& DesignProblem::minimize(std::string_view metric) {
 DesignProblem& DesignProblem::limit(std::string_view text) {
   limits.push_back(parse_limit(text));
   return *this;
+}
+
+DesignProblem& DesignProblem::limit(Metric metric, double lower, double upper) {
+  const MetricInfo& row = info(metric);
+  const auto end = [&](double value) {
+    return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
+  };
+  const std::string name(row.name);
+  if (std::isfinite(lower) && std::isfinite(upper))
+    return limit(end(lower) + " <= " + name + " <= " + end(upper));
+  if (std::isfinite(upper)) return limit(name + " <= " + end(upper));
+  if (std::isfinite(lower)) return limit(name + " >= " + end(lower));
+  throw ValueError(name + " without a limit", "give at least one finite end");
 }
 
 DesignProblem& DesignProblem::derive(Parameter parameter, std::string_view text) {

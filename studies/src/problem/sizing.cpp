@@ -25,12 +25,9 @@ double named_quantity(const char* name, std::string_view text, const Expected& e
 
 // Unlike speed_at(load), the torque at a speed also exists for motors that cannot carry the load.
 std::string duty_limit(const DutyPoint& duty) {
+  if (!duty.text.empty()) return duty.text;
   return "torque_at(" + number_text(duty.speed) + " rad/s) >= " + number_text(duty.torque) + " N.m";
 }
-
-}  // namespace
-
-namespace {
 
 // Metrics that depend on the wave and have no argument, with those at a point.
 constexpr std::pair<const char*, const char*> kOfTheWave[] = {
@@ -114,7 +111,8 @@ DesignFront solve_front(const DesignProblem& problem, const optim::ParetoOptions
 
 DutyPoint duty_point(std::string_view torque, std::string_view speed) {
   return {named_quantity("torque", torque, {"N.m", "0.5 N.m"}),
-          named_quantity("speed", speed, {"rad/s", "100 rpm"})};
+          named_quantity("speed", speed, {"rad/s", "100 rpm"}),
+          "torque_at(" + std::string(speed) + ") >= " + std::string(torque)};
 }
 
 DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
@@ -127,6 +125,11 @@ DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
   for (const DutyPoint& point : duty) sized.limit(duty_limit(point));
   sized.limits.insert(sized.limits.end(), problem.limits.begin(), problem.limits.end());
   return solve(sized, options);
+}
+
+DesignAnswer size(const DesignProblem& problem, std::initializer_list<DutyPoint> duty,
+                  const optim::SolveOptions& options, DutyDrive drive) {
+  return size(problem, std::span(duty.begin(), duty.size()), options, drive);
 }
 
 DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,

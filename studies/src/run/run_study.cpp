@@ -14,6 +14,7 @@
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
 #include <twum/io/number.hpp>
+#include <twum/io/words.hpp>
 #include <twum/studies/processes.hpp>
 #include <twum/studies/report.hpp>
 
@@ -221,20 +222,44 @@ class KeptRun {
 
 StudyResult run_study(const StudyFile& file, const std::string& directory,
                       const RunOptions& options) {
+  validate(file);
   return KeptRun(file, directory, options).run();
 }
 
 StudyResult run_study(const StudyFile& file, const RunOptions& options) {
+  validate(file);
   const auto begin = Clock::now();
   const std::string started = utc_text(std::chrono::system_clock::now());
   const std::unique_ptr<StudyKindRun> kind = make_kind(file);
-  ResultStore store(":memory:", kind->columns());
-  StudyResult result = run_on(file, *kind, store, options);
-  set_failures(result, failures_of(*kind, store));
+  const auto store = std::make_shared<ResultStore>(":memory:", kind->columns());
+  StudyResult result = run_on(file, *kind, *store, options);
+  set_failures(result, failures_of(*kind, *store));
+  result.rows = store;
   result.hash = resolve(file).hash();
   result.started = started;
   result.seconds = seconds_since(begin);
   return result;
+}
+
+namespace {
+
+const ResultStore& rows_of(const StudyResult& result) {
+  if (!result.rows)
+    throw InputError("this result has no rows: those of a run in a directory are in its files");
+  return *result.rows;
+}
+
+}  // namespace
+
+std::string results_csv(const StudyResult& result) {
+  const ResultStore& rows = rows_of(result);
+  std::string text;
+  write_rows(rows, rows.columns(), 0, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::string report_html(const StudyFile& study, const StudyResult& result) {
+  return report_html(study, resolve(study).text(), result, rows_of(result));
 }
 
 }  // namespace twum::studies

@@ -7,6 +7,7 @@
 #include <twum/base/ordered.hpp>
 
 #include <exception>
+#include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -77,10 +78,14 @@ std::uint64_t ask_designs(const IndexRange& range, Make make, Ask ask, Take take
 /// the threads, and 16 bytes a metric.
 ///
 /// @param jobs  threads; 0 takes one for each core.
+/// @param proceed  asked again and again, on any thread; once it says no, the call ends within a few designs a thread, and the
+///                 answer has the rows of the first designs only. Empty: to the end. Of a std::stop_token `stop` it is
+///                 [&] { return !stop.stop_requested(); }
 /// @throws InputError naming the first design that is not admissible, before anything is computed.
 std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesign> designs,
                                                        std::span<const MetricRequest> requests,
-                                                       unsigned jobs = 0);
+                                                       unsigned jobs = 0,
+                                                       const std::function<bool()>& proceed = {});
 
 /// Metrics with exact derivatives (SI) of many designs on several threads. Row i holds those of design i in the order
 /// asked, bit for bit those of differentiate(), whatever `jobs` is. The Smoothness of each says what its derivatives
@@ -88,9 +93,11 @@ std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesi
 ///
 /// @param fixed_static_friction  holds mu_0 while mu moves, see differentiate()
 /// @param jobs                   threads; 0 takes one for each core.
+/// @param proceed                as of evaluate_designs()
 /// @throws InputError naming the first design that is not admissible, before anything is computed.
 std::vector<std::vector<MetricDerivative>> differentiate_designs(
     std::span<const MotorDesign> designs, std::span<const MetricRequest> requests,
-    bool fixed_static_friction = false, unsigned jobs = 0);
+    bool fixed_static_friction = false, unsigned jobs = 0,
+    const std::function<bool()>& proceed = {});
 
 }  // namespace twum

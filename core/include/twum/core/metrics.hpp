@@ -80,8 +80,9 @@ struct SpeedDerivative {
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
 
 /// Metrics of a motor as T7.1 to T7.18 define them, in the order asked. Work shared by several metrics is done once.
-/// About 30 microseconds for all metrics without argument, a microsecond for a point metric at a speed; about 300
-/// microseconds where mu_0 > mu. No argument makes it throw: a speed at or below -motor.wave_speed() gives the status
+/// With one slice and a given amplitude about 30 microseconds for all metrics without argument, a microsecond for a point
+/// metric at a speed; about 300 microseconds where mu_0 > mu. With `auto` slices, as in ring-60.yaml, about a millisecond
+/// for all metrics. No argument makes it throw: a speed at or below -motor.wave_speed() gives the status
 /// out_of_range, a torque that the motor cannot carry gives unreachable. Continuous in the parameters except for
 /// jumps where mu_0 > mu; a track that `auto` splits there (W4.5) has none. differentiate() returns the smoothness.
 /// @{
@@ -97,6 +98,8 @@ MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction = false);
+MetricDerivative differentiate(const Motor& motor, const MetricRequest& request,
+                               bool fixed_static_friction = false);
 
 /// A point metric, or speed_at, at a load that is a fixed share of the motor's largest torque, so that the load moves
 /// with the design. An optimizer that has left the region of motors that carry a fixed load still gets finite

@@ -32,9 +32,17 @@ class Motor {
   /// over speed when it is first needed, which takes some hundred operating points.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
+  /// Copies share what was computed. A move copies, so that a motor that was moved from stays a motor.
+  /// @{
+  Motor(const Motor&) = default;
+  Motor& operator=(const Motor&) = default;
+  ~Motor() = default;
+  /// @}
 
   /// The design as it was given.
   const MotorDesign& design() const noexcept { return design_; }
+  /// True if the designs are equal, and with them all that follows.
+  bool operator==(const Motor& other) const { return design_ == other.design_; }
   /// Pressure between wave and rotor at the contact radius, the same at every speed (T3.1 to T3.4, W2.2).
   const NormalContact<double>& contact() const;
 
@@ -59,8 +67,9 @@ class Motor {
   /// True if the whole contact sticks at rest, the motor being locked like a brake; theory section 10.
   bool locks_at_rest() const;
 
-  /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. About a microsecond,
-  /// no heap allocation.
+  /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. With one slice and a given amplitude about
+  /// a microsecond and no heap allocation. Some four times as long for 8 slices or under a voltage, 40 times for `auto`, 200
+  /// times for both, with up to a hundred allocations (docs/benchmarks.md).
   /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
@@ -116,7 +125,7 @@ class Motor {
   std::shared_ptr<const core::DrivenMotor<double>> model_;  // of any other
 };
 
-/// Operating points at the given speeds [rad/s], in their order. About a microsecond each.
+/// Operating points at the given speeds [rad/s], in their order. Each costs as much as Motor::operating_point().
 /// @throws InputError as Motor::operating_point(), for the first speed that is out of range.
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
                                                const std::vector<double>& speeds);

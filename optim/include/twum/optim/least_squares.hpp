@@ -10,9 +10,9 @@ namespace twum::optim {
 
 /// Residuals r_i(b) of a fit, already weighted, and their Jacobian.
 struct Residuals {
-  std::vector<double> values;    ///< in units of the weights
-  std::vector<double> jacobian;  ///< values.size() rows of one entry a parameter
-  std::string failure;           ///< short reason; empty: it worked
+  std::vector<double> values{};    ///< in units of the weights
+  std::vector<double> jacobian{};  ///< values.size() rows of one entry a parameter
+  std::string failure{};           ///< short reason; empty: it worked
 };
 
 /// Parameters in user units; fixed size of the answer. May throw EvaluationError for a failure.
@@ -53,12 +53,12 @@ struct LeastSquaresOptions {
   /// Of each parameter, where the residuals are in parts of estimated deviations of groups; empty: one scatter, known to
   /// residuals less parameters.
   std::vector<SmallSample> small_sample{};
-  std::stop_token stop;  ///< a request ends the search with what has been found
+  std::stop_token stop{};  ///< a request ends the search with what has been found
 };
 
 /// What a fit says of one parameter, in user units.
 struct Estimate {
-  std::string name;                ///< of the parameter
+  std::string name{};              ///< of the parameter
   double value{0.0};               ///< at the least sum of squares
   double standard_deviation{0.0};  ///< NaN if the data do not determine it
   double low{
@@ -71,7 +71,7 @@ struct Estimate {
 /// A change of the parameters together, and how much of it the residuals show, to first order (L2.3).
 struct Direction {
   /// Of each parameter in parts of its value (of its range where the value is 0); the largest is 1. 0 for held ones.
-  std::vector<double> change;
+  std::vector<double> change{};
   std::vector<double>
       part_norms;  ///< for each parameter: norm of the change of the residuals if only this one changes
   double effect{0.0};  ///< norm of the change of the residuals if all change together
@@ -81,9 +81,9 @@ struct Direction {
 struct LeastSquaresResult {
   /// optimal: the gradient test passes, and a scatter that is estimated in turn with the parameters has settled
   Outcome outcome{Outcome::failed};
-  std::vector<Estimate> estimates;    ///< in the order of the parameters
-  std::vector<double> correlation;    ///< parameters x parameters; NaN where undetermined
-  std::vector<double> covariance;     ///< likewise; 0 for parameters held by a bound
+  std::vector<Estimate> estimates{};  ///< in the order of the parameters
+  std::vector<double> correlation{};  ///< parameters x parameters; NaN where undetermined
+  std::vector<double> covariance{};   ///< likewise; 0 for parameters held by a bound
   double sum_of_squares{0.0};         ///< of the residuals; of Huber's, twice the loss over `share`
   double residual_deviation{0.0};     ///< sqrt(sum / degrees of freedom); NaN without freedom
   std::size_t degrees_of_freedom{0};  ///< residuals less free parameters
@@ -102,15 +102,15 @@ struct LeastSquaresResult {
   double joint_limit{0.0};
   /// Parameters x parameters: by how much a free one (row) changes for each unit by which the bound of
   /// a held one (column) moves, to first order; 0 elsewhere, NaN where undetermined.
-  std::vector<double> follows;
+  std::vector<double> follows{};
   double gradient{0.0};  ///< largest cosine between the residuals and a free Jacobian column
   std::size_t rank{0};   ///< of the Jacobian in the free parameters
   std::vector<std::vector<std::string>>
       undetermined;  ///< each a set of parameters that only counts together
   /// Directions in the free parameters, orthogonal in relative changes, the least visible first (L2.3).
-  std::vector<Direction> directions;
-  Counters counters;  ///< calls of the residuals
-  std::string word;   ///< how the search ended
+  std::vector<Direction> directions{};
+  Counters counters{};  ///< calls of the residuals
+  std::string word{};   ///< how the search ended
 };
 
 /// The solvers of fits, those that this build lacks included: "twum:lm", Levenberg and Marquardt's method that

@@ -22,9 +22,9 @@ struct Budget {
 struct Observation {
   std::uint64_t stage{0};  ///< part of the solve: a start, a rung of the ladder, a point of a front
   std::uint64_t index{0};  ///< number of the call within its stage
-  std::span<const double> design;  ///< user units
-  bool gradient{false};            ///< whether the Jacobian was asked for
-  const Evaluation& evaluation;    ///< its result
+  std::span<const double> design{};  ///< user units
+  bool gradient{false};              ///< whether the Jacobian was asked for
+  const Evaluation& evaluation;      ///< its result
 };
 
 /// Called with every evaluation. An exception that it throws ends the solve and reaches the caller.
@@ -42,20 +42,26 @@ struct SolveOptions {
   /// A limit is kept if it is broken by at most this part of the larger of the limit and the magnitude of its terms at
   /// the design (O2.1), or by its own tolerance.
   double feasibility_tolerance{1e-8};
-  std::uint64_t seed{1};  ///< seed of all random choices
-  Budget budget;          ///< limits of evaluations and time
-  std::stop_token stop;   ///< a request ends the solve with the best answer so far
-  Observer observer;      ///< called for every evaluation, never by two threads at once
+  std::uint64_t seed{1};   ///< seed of all random choices
+  Budget budget{};         ///< limits of evaluations and time
+  std::stop_token stop{};  ///< a request ends the solve with the best answer so far
+  Observer observer{};     ///< called for every evaluation, never by two threads at once
   /// number of threads for the starts of auto; the answer does not depend on it
   std::size_t threads{1};
-  std::string global;  ///< auto only: a global algorithm to run first, such as "nlopt:isres"
+  std::string global{};  ///< auto only: a global algorithm to run first, such as "nlopt:isres"
   std::map<std::string, std::string>
-      solver_options;  ///< for the named solver; unknown names are refused
+      solver_options{};  ///< for the named solver; unknown names are refused
   bool analyse_infeasible{
       true};          ///< explain a problem without a feasible point (costs more solves)
   bool polish{true};  ///< improve a nearly optimal answer by Newton steps on the active set
   std::uint64_t first_stage{
       0};  ///< number of the first stage, for callers that solve more than once
 };
+
+/// Checks that options have a meaning.
+/// @throws InputError naming the option: a tolerance that is not in (0, 1), a feasibility tolerance that is negative or not
+///         finite, seconds that are negative or not a number, options of a solver beside "auto", a global algorithm
+///         beside a named solver
+void validate(const SolveOptions& options);
 
 }  // namespace twum::optim

@@ -7,18 +7,18 @@ namespace twum::optim {
 
 /// One design of a Pareto front.
 struct FrontPoint {
-  std::vector<double> design;  ///< user units
-  Evaluation evaluation;       ///< of that design
+  std::vector<double> design{};  ///< user units
+  Evaluation evaluation{};       ///< of that design
   /// Pareto stationarity; its weights are the trade-off between the objectives
-  Certificate certificate;
+  Certificate certificate{};
 };
 
 /// Options of pareto_front().
 struct ParetoOptions {
-  SolveOptions solve;  ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
+  SolveOptions solve{};  ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
   std::size_t points{100};  ///< largest number of points; >= 1
   /// reference point of the hypervolume, user units; empty: a tenth of the front's span beyond its worst values
-  std::vector<double> reference;
+  std::vector<double> reference{};
   /// number of points that are searched from several starts, to find disconnected pieces of the front
   std::size_t coarse{12};
   std::size_t coarse_starts{3};  ///< low-discrepancy starts for each of them
@@ -33,11 +33,11 @@ struct ParetoOptions {
 /// A Pareto front of two or three objectives.
 struct Front {
   Outcome outcome{Outcome::failed};  ///< optimal: every point certified; feasible: some were not
-  std::vector<FrontPoint> points;    ///< nondominated points in order of the first objective
-  std::vector<double> reference;     ///< user units
+  std::vector<FrontPoint> points{};  ///< nondominated points in order of the first objective
+  std::vector<double> reference{};   ///< user units
   double hypervolume{0.0};           ///< in the product of the objectives' units
-  Infeasibility infeasibility;       ///< filled when no design is feasible
-  Counters counters;                 ///< of all stages
+  Infeasibility infeasibility{};     ///< filled when no design is feasible
+  Counters counters{};               ///< of all stages
   StopReason stop{StopReason::finished};  ///< why it ended
   double seconds{0.0};                    ///< wall time
   std::uint64_t stages_used{0};  ///< the next solve may begin with stage first_stage + stages_used
@@ -70,9 +70,9 @@ struct Nsga2Options {
   double crossover_index{15.0};  ///< a larger index keeps children nearer to their parents
   double mutation_index{
       20.0};  ///< polynomial mutation; its probability is 1 over the number of variables
-  std::vector<double> reference;  ///< as in ParetoOptions
+  std::vector<double> reference{};  ///< as in ParetoOptions
   /// Used are seed, budget, stop, observer, and feasibility_tolerance, which is relative to 1 + |limit| here.
-  SolveOptions solve;
+  SolveOptions solve{};
 };
 
 /// Deb's NSGA-II with constraint domination. It needs no gradients and shares no code with pareto_front(), so that

@@ -19,9 +19,9 @@ enum class Scale : std::uint8_t { linear, log };
 
 /// One design variable, in the user's units.
 struct Variable {
-  std::string name;   ///< unique in the problem
-  double lower{0.0};  ///< finite; > 0 for a log scale
-  double upper{1.0};  ///< finite, >= lower; equal bounds fix the variable
+  std::string name{};  ///< unique in the problem
+  double lower{0.0};   ///< finite; > 0 for a log scale
+  double upper{1.0};   ///< finite, >= lower; equal bounds fix the variable
   double start{std::numeric_limits<
       double>::quiet_NaN()};   ///< NaN: the middle of the scale; clamped into the bounds
   Scale scale{Scale::linear};  ///< how it is mapped to [0, 1]
@@ -38,13 +38,13 @@ enum class Sense : std::uint8_t { minimize, maximize };
 
 /// A response to be minimized or maximized.
 struct Objective {
-  std::string name;              ///< unique in the problem
+  std::string name{};            ///< unique in the problem
   Sense sense{Sense::minimize};  ///< its direction
 };
 
 /// lower <= value <= upper; equal limits make an equality. At least one limit is finite.
 struct Constraint {
-  std::string name;          ///< unique in the problem
+  std::string name{};        ///< unique in the problem
   double lower{-kInfinity};  ///< user units
   double upper{kInfinity};   ///< user units, >= lower
   /// Amount by which a limit may be broken and still counts as kept, user units, >= 0. NaN: 1e-8 of the larger of the
@@ -72,11 +72,11 @@ struct KinkedEntry {
 
 /// Result of evaluating one design. If the design cannot be evaluated, only `failure` is set.
 struct Evaluation {
-  std::vector<double> values;  ///< objectives, then constraints, user units
+  std::vector<double> values{};  ///< objectives, then constraints, user units
   /// values.size() rows with one entry for each variable; empty if it was not requested
-  std::vector<double> jacobian;
-  std::vector<KinkedEntry> kinks;  ///< entries of the Jacobian that are not smooth
-  std::string failure;             ///< short reason such as "no-periodic-state"; empty on success
+  std::vector<double> jacobian{};
+  std::vector<KinkedEntry> kinks{};  ///< entries of the Jacobian that are not smooth
+  std::string failure{};             ///< short reason such as "no-periodic-state"; empty on success
 
   /// True if there is no failure.
   bool ok() const noexcept { return failure.empty(); }
@@ -89,10 +89,14 @@ using Evaluator = std::function<Evaluation(std::span<const double> design, bool 
 
 /// A design problem: variables, objectives and constraints.
 struct Problem {
-  std::vector<Variable> variables;      ///< what may vary
-  std::vector<Objective> objectives;    ///< what is wanted
-  std::vector<Constraint> constraints;  ///< what must hold
-  Evaluator evaluate;                   ///< computes objectives and constraints
+  std::vector<Variable> variables{};      ///< what may vary
+  std::vector<Objective> objectives{};    ///< what is wanted
+  std::vector<Constraint> constraints{};  ///< what must hold
+  Evaluator evaluate{};                   ///< computes objectives and constraints
+
+  /// False: the evaluator gives no Jacobian and is never asked for one. Then solve() needs a named solver without gradients,
+  /// and the certificate is not measured.
+  bool derivatives{true};
 
   /// Number of values that the evaluator returns.
   std::size_t responses() const noexcept { return objectives.size() + constraints.size(); }

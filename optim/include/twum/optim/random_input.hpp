@@ -22,7 +22,7 @@ struct BuiltValue {
 /// An input that varies from product to product: P = T(x, z), where x is the design's value and z a standard normal
 /// number, U1.1 to U1.4. Inputs are independent of each other.
 struct RandomInput {
-  std::string name;      ///< unique among the inputs
+  std::string name{};    ///< unique among the inputs
   Law law{Law::normal};  ///< shape of the distribution
   double spread{0.0};    ///< > 0: standard deviation, half range, or width below the mode
   double above{0.0};     ///< triangular only: width above the mode

@@ -17,24 +17,24 @@ struct SampledMean {
 
 /// Statistics of an independent sample of products of a design.
 struct Verification {
-  std::vector<YieldEstimate> yields;  ///< of each yield target
+  std::vector<YieldEstimate> yields{};  ///< of each yield target
   /// for each end of a limit, in the order of RobustResult::risks, the share of products that violates it
-  std::vector<double> term_shares;
+  std::vector<double> term_shares{};
   /// True for yields above 99.99 %: yields and shares come from importance samples about the worst points, 16
   /// independently scrambled ones.
   bool weighted{false};
   /// number of products without an answer by reason; they count as violating all limits
-  std::map<std::string, std::uint64_t> lost;
+  std::map<std::string, std::uint64_t> lost{};
   /// of each response, one value for each product; NaN without an answer
-  std::vector<std::vector<double>> values;
+  std::vector<std::vector<double>> values{};
   /// For each input, the change of the first yield if its spread is 1 % smaller, from the failing products only,
   /// U6.6. NaN if its distribution is not normal.
-  std::vector<SampledMean> tighter;
+  std::vector<SampledMean> tighter{};
 };
 
 /// Contribution of one end of a limit to the risk, U6.1.
 struct RiskShare {
-  std::string limit;        ///< its name
+  std::string limit{};      ///< its name
   Side side{Side::lower};   ///< which end of the limit
   std::size_t target{0};    ///< index of its yield target
   double beta{0.0};         ///< its reliability index
@@ -55,7 +55,7 @@ struct YieldPrice {
 
 /// Value of tightening one tolerance, U6.2 to U6.5.
 struct TolerancePrice {
-  std::string input;  ///< its name
+  std::string input{};  ///< its name
   double gain_per_percent_tighter{
       0};  ///< improvement of the goal if its spread is 1 % smaller, to first order
   double yield_per_percent_tighter{
@@ -76,32 +76,32 @@ struct RobustResult {
   /// optimal: the yield holds; feasible: not distinguishable; infeasible: violated, or no design exists
   Outcome outcome{Outcome::failed};
   YieldVerdict verdict{YieldVerdict::broken};  ///< verdict of the target with the worst result
-  std::vector<double> design;                  ///< values of the variables
+  std::vector<double> design{};                ///< values of the variables
   /// result of the last round's problem, in variables and reliability indices, with its certificate; its stages
   /// report the goal
-  Result last;
+  Result last{};
   /// Derivative of the goal with respect to the objective of `last`, which is the logarithm of a risk for a yield
   /// and a variance for a standard deviation.
   double goal_per_objective{1.0};
-  Verification verification;           ///< independent sample of products of the design
-  std::vector<RiskShare> risks;        ///< one for every end of a limit
-  std::vector<TolerancePrice> prices;  ///< one for every input
+  Verification verification{};           ///< independent sample of products of the design
+  std::vector<RiskShare> risks{};        ///< one for every end of a limit
+  std::vector<TolerancePrice> prices{};  ///< one for every input
   double price_of_yield{0.0};  ///< loss of the goal per unit of the first target's yield, U6.4
-  std::vector<RobustRoundReport> rounds;  ///< in order
-  std::vector<double> aimed;  ///< yields of the first target that the rounds aimed at, U5.4
+  std::vector<RobustRoundReport> rounds{};  ///< in order
+  std::vector<double> aimed{};  ///< yields of the first target that the rounds aimed at, U5.4
   /// best goal at several yields, up to the largest possible yield
-  std::vector<YieldPrice> prices_of_yields;
+  std::vector<YieldPrice> prices_of_yields{};
   double largest_yield{
       0.0};  ///< largest yield of the first target if the wanted one cannot be reached; else NaN
-  Counters counters;  ///< evaluations of problems in variables and reliability indices
+  Counters counters{};  ///< evaluations of problems in variables and reliability indices
 };
 
 /// Options of a robust search. Of `solve`, the tolerances, seed, stop and threads are used, and the budget for each
 /// search.
 struct RobustOptions {
-  SolveOptions solve;  ///< options of each search
+  SolveOptions solve{};  ///< options of each search
   /// start designs, such as nominal optima; more are drawn
-  std::vector<std::vector<double>> starts;
+  std::vector<std::vector<double>> starts{};
   /// aim above the wanted yield, so that an independent sample is likely to confirm it
   bool back_off{true};
   bool price_yields{true};  ///< also find the best goal at other yields

@@ -13,16 +13,16 @@ using BuiltEvaluator = std::function<Evaluation(std::span<const double> built,
 
 /// A response of built products and the ends between which it has to stay. At least one end is finite.
 struct RandomLimit {
-  std::string name;          ///< unique among the limits
+  std::string name{};        ///< unique among the limits
   double lower{-kInfinity};  ///< user units
   double upper{kInfinity};   ///< user units, > lower
 };
 
 /// A share of the products that has to meet a set of limits.
 struct YieldTarget {
-  std::string name;                 ///< such as "yield"
-  std::vector<std::size_t> limits;  ///< positions in RobustProblem::limits
-  double at_least{0.99};            ///< in (0, 1); not used for a goal
+  std::string name{};                 ///< such as "yield"
+  std::vector<std::size_t> limits{};  ///< positions in RobustProblem::limits
+  double at_least{0.99};              ///< in (0, 1); not used for a goal
 };
 
 /// Statistic of the distribution of a response.
@@ -30,7 +30,7 @@ enum class Statistic : std::uint8_t { mean, sd, quantile };
 
 /// A statistic of a response that has to stay between two ends, or is the goal.
 struct StatisticTarget {
-  std::string name;          ///< such as "mean(peak_power)"
+  std::string name{};        ///< such as "mean(peak_power)"
   Statistic kind{};          ///< kind of statistic
   std::size_t response{0};   ///< position in RobustProblem::limits
   double probability{0.5};   ///< for a quantile, in (0, 1)
@@ -54,13 +54,14 @@ struct RobustObjective {
 
 /// A design problem whose built products scatter about the design.
 struct RobustProblem {
-  Problem design;  ///< variables, objectives of nominal goals, and constraints on the design itself
-  std::vector<RandomInput> inputs;  ///< inputs that scatter
-  std::vector<RandomLimit> limits;  ///< responses of the built products, in order
-  BuiltEvaluator built;             ///< evaluates these responses
-  std::vector<YieldTarget> yields;  ///< each with its own limits
+  Problem
+      design{};  ///< variables, objectives of nominal goals, and constraints on the design itself
+  std::vector<RandomInput> inputs{};  ///< inputs that scatter
+  std::vector<RandomLimit> limits{};  ///< responses of the built products, in order
+  BuiltEvaluator built{};             ///< evaluates these responses
+  std::vector<YieldTarget> yields{};  ///< each with its own limits
   /// their responses stand in `limits`, where they need no ends
-  std::vector<StatisticTarget> statistics;
+  std::vector<StatisticTarget> statistics{};
   std::vector<RobustObjective> goals{{}};  ///< one goal; two or three for a front
 };
 

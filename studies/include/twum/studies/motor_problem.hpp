@@ -30,8 +30,8 @@ struct DesignVariable {
 
 /// Objective for a motor, or for the motors built to a design.
 struct DesignObjective {
-  MetricExpression metric;  ///< quantity to be maximized or minimized
-  bool maximize{false};     ///< otherwise minimize
+  MetricExpression metric{};  ///< quantity to be maximized or minimized
+  bool maximize{false};       ///< otherwise minimize
   /// objective in place of the metric; for robust_problem() only
   std::optional<StatisticRequest> statistic{};
 
@@ -43,8 +43,8 @@ struct DesignObjective {
 
 /// Sets of parameters of which each design has one, such as two linings.
 struct DesignChoice {
-  std::string name;                ///< its name in results, such as "lining"
-  std::vector<ParameterSet> sets;  ///< at least one, each with a name of its own
+  std::string name{};                ///< its name in results, such as "lining"
+  std::vector<ParameterSet> sets{};  ///< at least one, each with a name of its own
 };
 
 /// Largest number of combinations of sets. Each combination is solved separately.
@@ -54,6 +54,8 @@ inline constexpr std::size_t kMostCombinations = 64;
 struct DutyPoint {
   double torque{0};  ///< load [N m]
   double speed{0};   ///< of the rotor [rad/s]
+  /// The limit that it is, by which answers name it; empty: from the numbers, "torque_at(10.5 rad/s) >= 0.5 N.m"
+  std::string text{};
 };
 
 /// How a motor reaches the points of its duty.
@@ -70,7 +72,7 @@ enum class DutyDrive : unsigned char {
 ///     problem.limit("no_load_speed >= 100 rpm").limit("max_pressure <= 10 MPa");
 ///     optim::Result best = optim::solve(motor_problem(problem));
 struct DesignProblem {
-  MotorDesign motor;  ///< values of everything that the variables do not change
+  MotorDesign motor{};  ///< values of everything that the variables do not change
   std::vector<DesignVariable> variables{};    ///< what may be changed
   std::vector<DesignObjective> objectives{};  ///< one for solve(), two or three for pareto_front()
   std::vector<MotorLimit> limits{};           ///< what must hold
@@ -79,7 +81,13 @@ struct DesignProblem {
   std::vector<DutyPoint> held{};              ///< what the drive, which follows, has to hold
 
   /// Lets a parameter vary from min to max [SI] on a linear or logarithmic scale. It is checked by motor_problem().
-  DesignProblem& vary(Parameter parameter, double min, double max, bool log = false);
+  /// @param start  SI; none: the motor's own value
+  DesignProblem& vary(Parameter parameter, double min, double max,
+                      optim::Scale scale = optim::Scale::linear, std::optional<double> start = {});
+  /// The same by texts: vary("preload", "60 N", "300 N"). The start is that of the motor.
+  /// @throws ValueError for an unknown parameter, or a value that is not one of it
+  DesignProblem& vary(std::string_view parameter, std::string_view min, std::string_view max,
+                      optim::Scale scale = optim::Scale::linear);
   /// Ties a parameter to others: derive(Parameter::contact_width, "0.15 * contact_radius").
   /// @throws ValueError as parse_derived().
   DesignProblem& derive(Parameter parameter, std::string_view text);
@@ -94,6 +102,9 @@ struct DesignProblem {
   /// Adds a limit such as "max_pressure <= 10 MPa".
   /// @throws ValueError if the text is no limit, as parse_limit().
   DesignProblem& limit(std::string_view text);
+  /// Adds lower <= metric <= upper [SI]; an infinite end is none: limit(Metric::max_pressure, -kInfinity, 10e6).
+  /// @throws ValueError if no end is finite, or the ends cross
+  DesignProblem& limit(Metric metric, double lower, double upper);
 };
 
 /// The motor of a design. `design` holds the values of the variables in their order, then for each choice the number
@@ -111,8 +122,8 @@ struct ChoiceComplaint {
   std::size_t choice{0};             ///< position among the choices
   std::optional<std::size_t> set{};  ///< position of the set in it; none: the choice itself
   std::optional<Parameter> other{};  ///< the variable or derived parameter that the set gives too
-  std::string found;     ///< "thickness is varied, and 'peek.yaml' of 'lining' gives it too"
-  std::string expected;  ///< what would be right
+  std::string found{};     ///< "thickness is varied, and 'peek.yaml' of 'lining' gives it too"
+  std::string expected{};  ///< what would be right
 };
 
 /// Everything that is wrong with the choices of a question: a set that gives a parameter that is varied, derived or

@@ -19,6 +19,10 @@ namespace twum::studies {
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store);
 
+/// The page of a run in memory.
+/// @throws InputError if the result has no rows
+std::string report_html(const StudyFile& study, const StudyResult& result);
+
 /// Writes report.html of a result directory again from its study and its stored evaluations.
 /// @return the path of the page
 /// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the

@@ -22,9 +22,9 @@ namespace twum::studies {
 /// If there is a limit on `yield`, limits with a metric count in the yield and not for the design itself; limits on
 /// parameters only hold for the design. Without it, every limit holds for the design.
 struct RobustQuestion {
-  DesignProblem design;               ///< variables, objective (a metric or a statistic) and limits
-  std::vector<Tolerance> tolerances;  ///< parameters that scatter, independently of each other
-  std::vector<StatisticLimit> statistics;  ///< limits on the built motors
+  DesignProblem design{};  ///< variables, objective (a metric or a statistic) and limits
+  std::vector<Tolerance> tolerances{};  ///< parameters that scatter, independently of each other
+  std::vector<StatisticLimit> statistics{};  ///< limits on the built motors
 };
 
 /// Why a tolerance cannot be used in a search, if it cannot.

@@ -5,7 +5,9 @@
 #include <twum/optim/result.hpp>
 #include <twum/studies/motor_problem.hpp>
 
+#include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,24 +15,24 @@ namespace twum::studies {
 
 /// Answer to a design question.
 struct DesignAnswer {
-  optim::Result search;  ///< outcome, certificate, counts, and the variables of the best design
+  optim::Result search{};  ///< outcome, certificate, counts, and the variables of the best design
   /// the best design, or the least infeasible one; the motor of the question if all evaluations failed
-  MotorDesign motor;
+  MotorDesign motor{};
 };
 
 /// Solves a question with one objective, as the study `optimize` does: from several starts, with each answer
 /// evaluated again and certified. Thread-safe. The answer depends on the question and the options only, unless a time
 /// limit or a stop request ends the search.
 ///
-/// Costs some hundred to some thousand evaluations of about 50 microseconds; with solver "ipopt" only one solve runs
+/// Costs some hundred to some thousand evaluations of about 50 microseconds; with solver "ipopt" one solve computes
 /// at a time in a process.
 /// @throws InputError as motor_problem() and optim::solve()
 DesignAnswer solve(const DesignProblem& problem, const optim::SolveOptions& options = {});
 
 /// Pareto front of two or three objectives.
 struct DesignFront {
-  optim::Front search;              ///< outcome, certificates, hypervolume
-  std::vector<MotorDesign> motors;  ///< one for each point, in order of the first objective
+  optim::Front search{};              ///< outcome, certificates, hypervolume
+  std::vector<MotorDesign> motors{};  ///< one for each point, in order of the first objective
 };
 
 /// Solves a question with two or three objectives, as the study `pareto` does. Costs as much as
@@ -39,7 +41,7 @@ struct DesignFront {
 /// @throws InputError as motor_problem() and optim::pareto_front()
 DesignFront solve_front(const DesignProblem& problem, const optim::ParetoOptions& options = {});
 
-/// A duty point from texts with units: duty_point("0.5 N.m", "100 rpm").
+/// A duty point from texts with units: duty_point("0.5 N.m", "100 rpm"). Answers name it by these texts.
 /// @throws InputError naming what is wrong
 DutyPoint duty_point(std::string_view torque, std::string_view speed);
 
@@ -56,6 +58,8 @@ DutyPoint duty_point(std::string_view torque, std::string_view speed);
 /// @throws InputError as solve(), and for an empty duty
 /// @{
 DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
+                  const optim::SolveOptions& options = {}, DutyDrive drive = DutyDrive::fixed);
+DesignAnswer size(const DesignProblem& problem, std::initializer_list<DutyPoint> duty,
                   const optim::SolveOptions& options = {}, DutyDrive drive = DutyDrive::fixed);
 DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,
                   const optim::SolveOptions& options = {}, DutyDrive drive = DutyDrive::fixed);

@@ -38,11 +38,11 @@ struct CurveStudy {
 
   /// One parameter and its values.
   struct Family {
-    Parameter parameter{};       ///< which one
-    std::vector<double> values;  ///< SI, at least one
+    Parameter parameter{};         ///< which one
+    std::vector<double> values{};  ///< SI, at least one
   };
-  std::optional<Family> family;  ///< none: the motor alone
-  std::uint64_t points{51};      ///< of each curve, at least 2
+  std::optional<Family> family{};  ///< none: the motor alone
+  std::uint64_t points{51};        ///< of each curve, at least 2
 };
 
 /// Which way a frequency is swept.
@@ -55,13 +55,13 @@ struct FrequencyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::optional<CurveStudy::Family> family;  ///< none: the motor alone
-  std::optional<double> from;                ///< [Hz]; none: below all resonances and jumps
-  std::optional<double> to;                  ///< [Hz]; none: above all jumps
-  std::uint64_t points{201};                 ///< of each sweep, at least 2
+  std::optional<CurveStudy::Family> family{};  ///< none: the motor alone
+  std::optional<double> from{};                ///< [Hz]; none: below all resonances and jumps
+  std::optional<double> to{};                  ///< [Hz]; none: above all jumps
+  std::uint64_t points{201};                   ///< of each sweep, at least 2
   /// Load [N m]; more than one are a family over it; none: 0, unless a speed is given.
-  std::optional<std::vector<double>> torque;
-  std::optional<double> speed;  ///< speed of the rotor [rad/s], in place of a torque
+  std::optional<std::vector<double>> torque{};
+  std::optional<double> speed{};  ///< speed of the rotor [rad/s], in place of a torque
   SweepDirection direction{SweepDirection::both};  ///< of the sweeps
 };
 
@@ -80,19 +80,19 @@ struct SweepStudy {
 
   /// The values of one parameter: a list or a range.
   struct Variable {
-    Parameter parameter{};       ///< which one
-    std::vector<double> values;  ///< SI; empty: the range is used
-    double min{0};               ///< SI
-    double max{0};               ///< SI
-    std::uint64_t points{5};     ///< of a grid, both ends included
-    bool log{false};             ///< logarithmic scale; min > 0
+    Parameter parameter{};         ///< which one
+    std::vector<double> values{};  ///< SI; empty: the range is used
+    double min{0};                 ///< SI
+    double max{0};                 ///< SI
+    std::uint64_t points{5};       ///< of a grid, both ends included
+    bool log{false};               ///< logarithmic scale; min > 0
   };
-  std::vector<Variable> variables;        ///< at least one
-  std::vector<DerivedParameter> derived;  ///< what follows from the variables
-  Sampling sampling{Sampling::grid};      ///< how designs are chosen
-  std::vector<MetricExpression> metrics;  ///< what is computed
-  std::uint64_t samples{1000};            ///< designs, of lhs and sobol
-  std::uint64_t seed{1};                  ///< of lhs and sobol
+  std::vector<Variable> variables{};        ///< at least one
+  std::vector<DerivedParameter> derived{};  ///< what follows from the variables
+  Sampling sampling{Sampling::grid};        ///< how designs are chosen
+  std::vector<MetricExpression> metrics{};  ///< what is computed
+  std::uint64_t samples{1000};              ///< designs, of lhs and sobol
+  std::uint64_t seed{1};                    ///< of lhs and sobol
 };
 
 /// Methods of sensitivity studies.
@@ -106,15 +106,15 @@ struct SensitivityStudy {
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
   SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
-  std::vector<DesignVariable> variables;               ///< `start` counts for local only
-  std::vector<DerivedParameter> derived;               ///< what follows from the variables
-  std::vector<MetricExpression> metrics;               ///< of what
+  std::vector<DesignVariable> variables{};             ///< `start` counts for local only
+  std::vector<DerivedParameter> derived{};             ///< what follows from the variables
+  std::vector<MetricExpression> metrics{};             ///< of what
   /// Trajectories (morris) or base samples (sobol); none: standard_samples().
-  std::optional<std::uint64_t> samples;
-  double confidence{0.95};      ///< level of the intervals
-  std::optional<double> width;  ///< sobol: doubles the samples until no interval is wider
-  std::optional<std::uint64_t> max_samples;  ///< sobol: none: 64 times the samples
-  std::uint64_t seed{1};                     ///< of whatever is random
+  std::optional<std::uint64_t> samples{};
+  double confidence{0.95};        ///< level of the intervals
+  std::optional<double> width{};  ///< sobol: doubles the samples until no interval is wider
+  std::optional<std::uint64_t> max_samples{};  ///< sobol: none: 64 times the samples
+  std::uint64_t seed{1};                       ///< of whatever is random
 };
 /// Default number of samples of a method: 32 trajectories or 1024 base samples.
 std::uint64_t standard_samples(SensitivityMethod method);
@@ -126,15 +126,15 @@ struct OptimizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;   ///< what may be changed
-  std::vector<DerivedParameter> derived;   ///< what follows from the variables
-  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
-  DesignObjective objective;               ///< objective: a metric or a statistic
-  std::vector<MotorLimit> constraints;     ///< what must hold
-  std::vector<Tolerance> tolerances;       ///< tolerances of built motors; may be empty
-  std::vector<StatisticLimit> statistics;  ///< limits on the built motors
-  optim::SolveOptions solver;              ///< observer, threads and stop are the run's
-  std::string start;                       ///< result directory to start from; empty: the motor
+  std::vector<DesignVariable> variables{};   ///< what may be changed
+  std::vector<DerivedParameter> derived{};   ///< what follows from the variables
+  std::vector<DesignChoice> choose{};        ///< sets of parameters of which a design has one
+  DesignObjective objective{};               ///< objective: a metric or a statistic
+  std::vector<MotorLimit> constraints{};     ///< what must hold
+  std::vector<Tolerance> tolerances{};       ///< tolerances of built motors; may be empty
+  std::vector<StatisticLimit> statistics{};  ///< limits on the built motors
+  optim::SolveOptions solver{};              ///< observer, threads and stop are the run's
+  std::string start{};                       ///< result directory to start from; empty: the motor
 };
 
 /// The trade-off front of two or three metrics.
@@ -151,16 +151,16 @@ struct ParetoStudy {
     options.scan = 0;
     return options;
   }
-  std::vector<DesignVariable> variables;          ///< what may be changed
-  std::vector<DerivedParameter> derived;          ///< what follows from the variables
-  std::vector<DesignChoice> choose;               ///< sets of parameters of which a design has one
-  std::vector<DesignObjective> objectives;        ///< two or three
-  std::vector<MotorLimit> constraints;            ///< what must hold
-  std::vector<Tolerance> tolerances;              ///< as in OptimizeStudy
-  std::vector<StatisticLimit> statistics;         ///< as in OptimizeStudy
+  std::vector<DesignVariable> variables{};        ///< what may be changed
+  std::vector<DerivedParameter> derived{};        ///< what follows from the variables
+  std::vector<DesignChoice> choose{};             ///< sets of parameters of which a design has one
+  std::vector<DesignObjective> objectives{};      ///< two or three
+  std::vector<MotorLimit> constraints{};          ///< what must hold
+  std::vector<Tolerance> tolerances{};            ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics{};       ///< as in OptimizeStudy
   std::uint64_t points{50};                       ///< of the front
   optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
-  std::string start;  ///< result directory to start from; empty: the motor
+  std::string start{};  ///< result directory to start from; empty: the motor
 };
 
 /// A motor for a duty.
@@ -170,18 +170,18 @@ struct SizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;   ///< what may be changed
-  std::vector<DerivedParameter> derived;   ///< what follows from the variables
-  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
-  std::vector<MotorLimit> duty;            ///< torque_at(SPEED) >= LOAD of each point
-  DutyDrive drive{DutyDrive::fixed};       ///< how the motor reaches these points
-  std::vector<MotorLimit> limits;          ///< what else must hold
-  std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
-  std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
+  std::vector<DesignVariable> variables{};   ///< what may be changed
+  std::vector<DerivedParameter> derived{};   ///< what follows from the variables
+  std::vector<DesignChoice> choose{};        ///< sets of parameters of which a design has one
+  std::vector<MotorLimit> duty{};            ///< torque_at(SPEED) >= LOAD of each point
+  DutyDrive drive{DutyDrive::fixed};         ///< how the motor reaches these points
+  std::vector<MotorLimit> limits{};          ///< what else must hold
+  std::vector<Tolerance> tolerances{};       ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics{};  ///< as in OptimizeStudy
   /// objective among the motors that can do the duty
   DesignObjective prefer{parse_metric("max_pressure")};
-  optim::SolveOptions solver;  ///< as in OptimizeStudy
-  std::string start;           ///< result directory to start from; empty: the motor
+  optim::SolveOptions solver{};  ///< as in OptimizeStudy
+  std::string start{};           ///< result directory to start from; empty: the motor
 };
 
 /// Spread and yield under tolerances.
@@ -191,15 +191,15 @@ struct UncertaintyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<Tolerance> variables;                ///< what is uncertain, independently
-  std::vector<DerivedParameter> derived;           ///< what follows from the variables
-  std::vector<MetricExpression> metrics;           ///< of what
+  std::vector<Tolerance> variables{};              ///< what is uncertain, independently
+  std::vector<DerivedParameter> derived{};         ///< what follows from the variables
+  std::vector<MetricExpression> metrics{};         ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn
-  std::vector<MotorLimit> limits;                  ///< of the yield; none: no yield
+  std::vector<MotorLimit> limits{};                ///< of the yield; none: no yield
   std::vector<double> quantiles{0.05, 0.5, 0.95};  ///< probabilities in (0, 1)
   std::uint64_t seed{1};                           ///< of the draws
   /// result directory whose best design is taken as the motor; empty: the motor of the file
-  std::string start;
+  std::string start{};
 };
 
 /// Solver of a calibration, in the order of optim::least_squares_solvers().
@@ -220,16 +220,17 @@ struct CalibrateStudy {
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
   /// paths of the tables of measurements; none: plan the first measurements
-  std::vector<std::string> data;
-  std::vector<DesignVariable> variables;  ///< what is estimated
-  std::vector<Parameter> per_file;  ///< of these: with a value of its own in each of several tables
-  std::vector<DerivedParameter> derived;  ///< what follows from the variables
-  double confidence{0.95};                ///< level of the intervals
-  Scatter scatter{Scatter::estimated};    ///< what the width of the intervals follows from
-  FitLoss loss{FitLoss::squares};         ///< how residuals count
-  std::uint64_t starts{8};                ///< local fits from different starts
-  FitSolver solver{FitSolver::own};       ///< of each of them
-  std::uint64_t seed{1};                  ///< of the starts
+  std::vector<std::string> data{};
+  std::vector<DesignVariable> variables{};  ///< what is estimated
+  std::vector<Parameter>
+      per_file{};  ///< of these: with a value of its own in each of several tables
+  std::vector<DerivedParameter> derived{};  ///< what follows from the variables
+  double confidence{0.95};                  ///< level of the intervals
+  Scatter scatter{Scatter::estimated};      ///< what the width of the intervals follows from
+  FitLoss loss{FitLoss::squares};           ///< how residuals count
+  std::uint64_t starts{8};                  ///< local fits from different starts
+  FitSolver solver{FitSolver::own};         ///< of each of them
+  std::uint64_t seed{1};                    ///< of the starts
 };
 
 /// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.

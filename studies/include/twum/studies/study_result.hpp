@@ -2,12 +2,14 @@
 #pragma once
 
 #include <twum/io/column.hpp>
+#include <twum/io/result_store.hpp>
 #include <twum/studies/sample_results.hpp>
 #include <twum/studies/search_results.hpp>
 #include <twum/studies/study_file.hpp>
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -62,11 +64,18 @@ struct StudyResult {
   std::vector<std::string> model_notes;
   /// Motor files of the answer in the directory: best.yaml, front/01.yaml, fitted.yaml.
   std::vector<std::string> motor_files;
+  /// The evaluations of a run in memory: rows->read(...) visits them in their order, in SI. Null for a run in a directory,
+  /// which keeps them in results.csv and results.db. Copies of the result share them.
+  std::shared_ptr<const ResultStore> rows;
 };
 
 /// The text of summary.json: SI, flat names. Except for times, the same byte for byte for any number of threads and
 /// interruptions.
 std::string summary_json(const StudyResult& result);
+
+/// The text of results.csv for a run in memory: one line for each evaluation, columns "name [unit]" in SI, the status last.
+/// @throws InputError if the result has no rows
+std::string results_csv(const StudyResult& result);
 
 /// The summary for a terminal: engineering units and sentences, no colour.
 /// @param said  notes that were shown before and are left out

@@ -23,16 +23,16 @@ struct Spread {
 struct Tolerance {
   /// The shape of the distribution.
   enum class Shape : unsigned char { normal, uniform, lognormal, triangular };
-  Parameter parameter{};        ///< which one
-  Shape shape{};                ///< of the distribution
-  std::optional<double> mean;   ///< replaces the design's value; SI
-  std::optional<Spread> sd;     ///< normal, lognormal: standard deviation
-  std::optional<Spread> range;  ///< uniform: half width
-  std::optional<Spread> below;  ///< triangular: width below the most likely value
-  std::optional<Spread> above;  ///< triangular: width above it
-  std::optional<double> min;    ///< uniform, triangular: absolute limit instead of a width, SI
-  std::optional<double> mode;   ///< triangular
-  std::optional<double> max;    ///< uniform, triangular
+  Parameter parameter{};          ///< which one
+  Shape shape{};                  ///< of the distribution
+  std::optional<double> mean{};   ///< replaces the design's value; SI
+  std::optional<Spread> sd{};     ///< normal, lognormal: standard deviation
+  std::optional<Spread> range{};  ///< uniform: half width
+  std::optional<Spread> below{};  ///< triangular: width below the most likely value
+  std::optional<Spread> above{};  ///< triangular: width above it
+  std::optional<double> min{};    ///< uniform, triangular: absolute limit instead of a width, SI
+  std::optional<double> mode{};   ///< triangular
+  std::optional<double> max{};    ///< uniform, triangular
 
   /// The centre of the distribution if the design has `value`, SI: the mean, or the most likely value of a triangular
   /// one.

@@ -351,7 +351,8 @@ Shape<std::size_t> choice(std::string text, std::vector<std::string> words) {
     });
   };
   shape.write = [words = shape.schema.words](const std::size_t& value) {
-    return scalar_node(words.at(value));
+    // the number in place of a word that there is not, which a reader refuses
+    return scalar_node(value < words.size() ? words[value] : std::to_string(value));
   };
   return shape;
 }

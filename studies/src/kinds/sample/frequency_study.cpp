@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <tuple>
 #include <utility>
 
 namespace twum::studies {
@@ -70,43 +72,54 @@ std::pair<double, double> range_of(const FrequencyStudy& asked,
   return {from, to};
 }
 
-// A stage for each sweep, a row for each frequency. Sweeps take milliseconds, so they are computed beforehand.
+// What is computed of one motor.
+struct ComputedMember {
+  FrequencyResult::Member result;
+  std::vector<MemberSweep> sweeps;
+};
+
+// A stage for each sweep, a row for each frequency. The sweeps of a motor are computed together, when the first row of
+// one of them is needed.
 class FrequencyRun : public StudyKindRun {
  public:
-  FrequencyRun(const FrequencyStudy& asked, const MotorDesign& base) : points_(asked.points) {
-    const std::vector<SweptMotor> members = members_of(asked, base);
-    const auto [from, to] = range_of(asked, members);
-    result_.family = family_of(asked);
-    result_.load = load_of(asked);
-    if (over_loads(asked)) result_.load.value = kNoFamily;
-    result_.from = from, result_.to = to;
-    for (const SweptMotor& each : members) add_member(asked, each);
-  }
+  FrequencyRun(const FrequencyStudy& asked, const MotorDesign& base)
+      : asked_(asked),
+        motors_(members_of(asked, base)),
+        family_(family_of(asked)),
+        computed_(motors_.size()) {}
 
   std::vector<StoredColumn> columns() const override {
     std::vector<StoredColumn> columns;
-    if (result_.family) columns.push_back(*result_.family);
+    if (family_) columns.push_back(*family_);
     columns.push_back({"direction", "1"});
     for (const FrequencyColumn& column : frequency_columns())
       columns.push_back({column.name, column.unit});
     return columns;
   }
 
-  std::size_t variables() const override { return result_.family ? 3 : 2; }
+  std::size_t variables() const override { return family_ ? 3 : 2; }
 
   KindAnswer run(RunContext& context) override {
-    const std::uint64_t total = points_ * sweeps_.size();
+    FrequencyResult result = without_members();
     bool complete = true;
-    for (std::size_t stage = 0; complete && stage < sweeps_.size(); ++stage)
-      complete = store_rows(context, stage, points_, points_ * stage, total);
+    for (std::size_t i = 0; complete && i < motors_.size(); ++i) {
+      complete = begin(context, i * ways());
+      if (!complete) break;
+      result.members.push_back(member(i).result);
+      for (std::size_t way = 0; complete && way < ways(); ++way) {
+        const std::size_t stage = i * ways() + way;
+        complete = store_rows(context, stage, asked_.points, asked_.points * stage, total());
+      }
+    }
+    std::tie(result.from, result.to) = range();
     const bool any =
-        std::any_of(result_.members.begin(), result_.members.end(),
+        std::any_of(result.members.begin(), result.members.end(),
                     [](const FrequencyResult::Member& m) { return !m.branches.empty(); });
-    return {!complete ? "interrupted" : any ? "done" : "failed", result_};
+    return {!complete ? "interrupted" : any ? "done" : "failed", result};
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
-    if (asked.stage >= sweeps_.size() || asked.index >= points_) return {};
+    if (asked.stage >= motors_.size() * ways() || asked.index >= asked_.points) return {};
     StoredRow row{asked.stage, asked.index, {}, "ok", {}};
     fill(row);
     return row;
@@ -120,30 +133,62 @@ class FrequencyRun : public StudyKindRun {
     return StoredColumn{std::string(row.name), std::string(row.unit)};
   }
 
-  void add_member(const FrequencyStudy& asked, const SweptMotor& each) {
-    const FrequencyResponse response(each.design, each.load, std::pair{result_.from, result_.to});
-    FrequencyResult::Member member;
-    member.value = each.value;
-    member.frequency = drive_frequency(each.design);
-    member.running = running_point(response, member.frequency);
-    if (member.running) member.pull_out_below = response.pull_out_below(*member.running);
-    member.branches = response.branches();
+  // Sweeps of each motor.
+  std::size_t ways() const { return asked_.direction == SweepDirection::both ? 2 : 1; }
+  std::uint64_t total() const { return asked_.points * ways() * motors_.size(); }
+
+  // Tells the progress before a stage. False if the run has to stop.
+  bool begin(const RunContext& context, std::size_t stage) const {
+    if (context.progress) context.progress({.done = asked_.points * stage, .total = total()});
+    return !context.stop.stop_requested();
+  }
+
+  FrequencyResult without_members() const {
+    FrequencyResult result;
+    result.family = family_;
+    result.load = load_of(asked_);
+    if (over_loads(asked_)) result.load.value = kNoFamily;
+    return result;
+  }
+
+  std::pair<double, double> range() const {
+    const std::lock_guard guard(mutex_);
+    if (!range_) range_ = range_of(asked_, motors_);
+    return *range_;
+  }
+
+  const ComputedMember& member(std::size_t number) const {
+    const auto ends = range();
+    const std::lock_guard guard(mutex_);
+    if (!computed_[number]) computed_[number] = computed(motors_[number], ends);
+    return *computed_[number];
+  }
+
+  ComputedMember computed(const SweptMotor& each, std::pair<double, double> ends) const {
+    const FrequencyResponse response(each.design, each.load, ends);
+    ComputedMember member;
+    member.result.value = each.value;
+    member.result.frequency = drive_frequency(each.design);
+    member.result.running = running_point(response, member.result.frequency);
+    if (member.result.running)
+      member.result.pull_out_below = response.pull_out_below(*member.result.running);
+    member.result.branches = response.branches();
     for (const bool rising : {true, false}) {
-      if (asked.direction == (rising ? SweepDirection::down : SweepDirection::up)) continue;
-      std::vector<double> frequencies = spaced_frequencies(result_.from, result_.to, points_);
+      if (asked_.direction == (rising ? SweepDirection::down : SweepDirection::up)) continue;
+      std::vector<double> frequencies = spaced_frequencies(ends.first, ends.second, asked_.points);
       if (!rising) std::reverse(frequencies.begin(), frequencies.end());
       FrequencySweep sweep = response.sweep(frequencies);
-      for (const Jump& jump : sweep.jumps) member.jumps.push_back({rising, jump});
-      sweeps_.push_back({each.value, rising, std::move(frequencies), std::move(sweep)});
+      for (const Jump& jump : sweep.jumps) member.result.jumps.push_back({rising, jump});
+      member.sweeps.push_back({each.value, rising, std::move(frequencies), std::move(sweep)});
     }
-    result_.members.push_back(std::move(member));
+    return member;
   }
 
   void fill(StoredRow& row) const {
-    const MemberSweep& one = sweeps_[row.stage];
+    const MemberSweep& one = member(row.stage / ways()).sweeps[row.stage % ways()];
     const std::optional<ResponsePoint>& wave = one.sweep.points[row.index];
     row.values.clear();
-    if (result_.family) row.values.push_back(one.value);
+    if (family_) row.values.push_back(one.value);
     row.values.push_back(one.rising ? 1 : -1);
     row.values.push_back(one.frequencies[row.index]);
     for (const FrequencyColumn& column : frequency_columns().subspan(1))
@@ -151,9 +196,12 @@ class FrequencyRun : public StudyKindRun {
     row.status = to_string(wave ? MetricStatus::ok : MetricStatus::unstable_amplitude);
   }
 
-  std::uint64_t points_;
-  std::vector<MemberSweep> sweeps_;
-  FrequencyResult result_;
+  FrequencyStudy asked_;
+  std::vector<SweptMotor> motors_;
+  std::optional<StoredColumn> family_;
+  mutable std::mutex mutex_;  // of what follows
+  mutable std::optional<std::pair<double, double>> range_;
+  mutable std::vector<std::optional<ComputedMember>> computed_;
 };
 
 }  // namespace

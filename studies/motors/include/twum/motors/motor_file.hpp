@@ -17,8 +17,8 @@ inline constexpr int kFileVersion = 1;
 
 /// A motor of a file.
 struct MotorFile {
-  std::string name;    ///< name in the file; may be empty
-  MotorDesign design;  ///< SI
+  std::string name{};    ///< name in the file; may be empty
+  MotorDesign design{};  ///< SI
 };
 
 /// Shape of a value of one parameter: unit, range and example of the parameter table.

@@ -13,9 +13,9 @@ namespace twum::motors {
 /// A limit on a quantity of a motor: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length", "145 rpm <=
 /// no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
 struct MotorLimit {
-  std::string text;  ///< as typed, blanks trimmed
+  std::string text{};  ///< as typed, blanks trimmed
   /// quantity between the ends: one side, or left minus right if both sides depend on the motor
-  MetricExpression metric;
+  MetricExpression metric{};
   double lower{-std::numeric_limits<double>::infinity()};  ///< SI
   double upper{std::numeric_limits<double>::infinity()};   ///< SI, >= lower
   /// The two sides if both depend on the motor, for reports; otherwise empty.

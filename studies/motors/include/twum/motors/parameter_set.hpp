@@ -13,9 +13,9 @@ namespace twum::motors {
 
 /// A named set of parameters, such as those of one lining.
 struct ParameterSet {
-  std::string name;                    ///< its name in results
-  std::string file;                    ///< path of the file with its values; empty if there is none
-  std::vector<ParameterValue> values;  ///< SI, each parameter once
+  std::string name{};  ///< its name in results
+  std::string file{};  ///< path of the file with its values; empty if there is none
+  std::vector<ParameterValue> values{};  ///< SI, each parameter once
 
   /// True if the set gives this parameter or its alternative.
   bool gives(Parameter parameter) const;

@@ -14,8 +14,8 @@ namespace twum::motors {
 
 /// A parameter that follows from others, such as contact_width from "0.15 * contact_radius".
 struct DerivedParameter {
-  Parameter parameter{};   ///< which one
-  MetricExpression value;  ///< expression of parameters only, with the dimension of `parameter`
+  Parameter parameter{};     ///< which one
+  MetricExpression value{};  ///< expression of parameters only, with the dimension of `parameter`
 };
 
 /// Reads the expression from which a parameter follows.

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A user's program that mypy --strict accepts; see types_test.py."""
+import threading
+
+import numpy as np
+import twum
+
+motor = twum.Motor(preload=140.0, thickness="0.3 mm")
+torque: float = motor.torque_at("100 rpm")
+points = motor.curve(points=11)
+power: float = float(points.output_power.max())
+answer = twum.evaluate(motor, {"preload": np.linspace(60, 300, 3)}, "stall_torque", jobs=1)
+largest: float = float(answer["stall_torque"].max())
+
+
+def tell(done: int, total: int, best: str) -> None:
+    print(done, total, best)
+
+
+def solve() -> twum.Optimum:
+    problem = twum.DesignProblem(motor).vary("preload", "60 N", 300.0, scale="log").minimize("preload")
+    problem.limit("holding_torque >= 0.53 N.m")
+    return problem.solve(solver="auto", starts=2, stop=threading.Event(), progress=tell)
+
+
+best = solve()
+preload: float = best.design["preload"]
+same: bool = best.motor == motor
+result = twum.run({"kind": "curve", "points": 11}, motor=motor, progress=tell)
+speeds = result.rows["speed"]
+print(torque, power, largest, preload, same, result.outcome, len(speeds))
+
+
+def picture() -> None:
+    axes = points.plot()
+    axes.set_title("curve")
