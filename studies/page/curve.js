@@ -2,7 +2,7 @@
 // Torque, power and efficiency against speed, one curve or several over each other, and the fields under the cursor.
 
 import {drawSqueals, paddedRange, scaled} from './chart.js';
-import {atTerminals, terminalColumns} from './data.js';
+import {atTerminals, curves, data, terminalColumns} from './data.js';
 import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {fieldsSection} from './fields.js';
 import {figure, keepFocus} from './figure.js';
@@ -295,4 +295,10 @@ export function curveSection(list, names, title = 'Torque') {
   const section = new CurveSection(list, names);
   section.torque(title);
   section.others();
+}
+
+/** The curve of the study's motor, where the study itself has none. */
+export function motorCurve() {
+  const list = curves.filter(Boolean);
+  if (list.length) curveSection(list, [data.motor.name || 'motor'], 'The motor');
 }

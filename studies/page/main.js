@@ -2,20 +2,19 @@
 // The page, from top to bottom: what came out, the picture, tables, background. The order of each kind is in pages.
 
 import {calibratePage} from './calibrate.js';
-import {CurveSection} from './curve.js';
+import {CurveSection, motorCurve} from './curve.js';
 import {curves, data, rows, summary, tableRow, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
-import {bold, bullets, card, el, sentence} from './dom.js';
+import {bullets, card, el, sentence} from './dom.js';
 import {frequencySections} from './frequency.js';
 import {capital} from './names.js';
 import {paretoSections} from './pareto.js';
 import {metricsNote, searchSections} from './search.js';
-import {sensitivitySections} from './sensitivity.js';
 import {sweepSections} from './sweep.js';
 import {named, quantity, table, valuesTable, words} from './table.js';
+import {headlineNodes, tellSections} from './telling.js';
 import {uncertaintySections} from './uncertainty.js';
-import {between, engineering, percent, rounded} from './units.js';
-import {verdicts} from './verdict.js';
+import {between, engineering, rounded} from './units.js';
 import {memberText, plain} from './words.js';
 
 /** Members of the answer with their curves; an invalid one has none. */
@@ -38,42 +37,23 @@ function curveSections() {
   ];
 }
 
-/** The kinds of study: in words, and what each shows, in this order. */
+/** What is told of a kind without a page of its own, and the curve of its motor. */
+function toldSections() { return [() => tellSections(), motorCurve]; }
+
+/** What the kinds show that have something to point at or to choose, in this order. */
 const pages = {
-  curve: {words: 'torque-speed curves', sections: curveSections},
-  sweep: {words: 'sweep of designs', sections: sweepSections},
-  sensitivity: {words: 'sensitivity', sections: sensitivitySections},
-  optimize: {words: 'optimization', sections: searchSections},
-  size: {words: 'sizing for a duty', sections: searchSections},
-  pareto: {words: 'trade-off front', sections: paretoSections},
-  uncertainty: {words: 'spread under tolerances', sections: uncertaintySections},
-  calibrate: {words: 'calibration', sections: () => [calibratePage]},
-  frequency: {words: 'sweep of the frequency', sections: frequencySections}
+  curve: curveSections,
+  sweep: sweepSections,
+  optimize: searchSections,
+  size: searchSections,
+  pareto: paretoSections,
+  uncertainty: uncertaintySections,
+  calibrate: () => [calibratePage],
+  frequency: frequencySections
 };
 
 /** What every page ends with. */
 const background = [notesCard, failuresCard, motorCard, glossaryCard, provenanceCard];
-
-const outcomeWords = {
-  feasible: 'keeps the limits, not shown to be best',
-  infeasible: 'no design keeps the limits',
-  budget: 'stopped by its budget',
-  failed: 'nothing could be computed',
-  done: 'complete',
-  fitted: 'the motor follows the points',
-  poor: 'the motor does not follow the points',
-  several: 'several motors fit equally well',
-  undetermined: 'the points do not determine every parameter',
-  'at-bounds': 'every parameter at an end of its range',
-  interrupted: 'interrupted'
-};
-
-function outcomeText() {
-  if (summary.outcome === 'optimal')
-    return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';
-  if (summary.outcome === 'done' && summary.yield) return percent(summary.yield.value, 4) + ' keep the limits';
-  return outcomeWords[summary.outcome] || summary.outcome;
-}
 
 /** What a row of the results is: a motor, or a point of a motor's curve. */
 function rowWord() { return summary.kind === 'curve' || summary.kind === 'frequency' ? 'points' : 'motors'; }
@@ -97,13 +77,9 @@ function facts() {
 }
 
 function verdictCard() {
-  const stopped = {
-    look: 'bad',
-    lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')]
-  };
-  const verdict = summary.outcome === 'interrupted' ? stopped : verdicts[summary.kind]();
-  const pill = el('p', {class: 'pill'}, capital(outcomeText()));
-  card(null, null, 'wide verdict ' + verdict.look, pill, ...verdict.lines.filter(Boolean), facts(), partNote());
+  const told = data.headline;
+  const pill = el('p', {class: 'pill'}, capital(told.badge));
+  card(null, null, 'wide verdict ' + told.look, pill, ...headlineNodes(told), facts(), partNote());
 }
 
 /** Reasons to doubt the model for these motors; names in them are as one types them. */
@@ -205,13 +181,11 @@ function contents() {
 }
 
 function build() {
-  const {words: kind, sections} = pages[summary.kind];
   document.title = summary.study + ' - twum';
   const page = document.getElementById('page');
-  const of = kind + (summary.motor ? ' of ' + summary.motor : '');
-  page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, of)));
+  page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, data.headline.title)));
   verdictCard();
-  for (const section of [...sections(), ...background]) section();
+  for (const section of [...(pages[summary.kind] ?? toldSections)(), ...background]) section();
   evenHalves();
   page.querySelector('.verdict').after(contents());
   page.dataset.ready = 'yes';

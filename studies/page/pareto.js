@@ -11,11 +11,9 @@ import {Filter} from './filter.js';
 import {savedMotor} from './motor.js';
 import {shortName} from './names.js';
 import {parallelChart} from './parallel.js';
-import {yieldWords} from './robust.js';
 import {certificateText, designTable, limitsTable, metricsNote, relaxationCard} from './search.js';
 import {quantity, table, valuesTable, words} from './table.js';
 import {displayUnit, largest} from './units.js';
-import {pointWords} from './verdict.js';
 import {axisLabel, choiceWords, goalText, goalValue, holderList, holders, plain, wholeEnds} from './words.js';
 
 function goalWords(goal) { return (goal.sense === 'maximize' ? 'largest ' : 'smallest ') + plain(goal.metric); }
@@ -142,8 +140,8 @@ class FrontChart {
 function chosenMotor(node, i) {
   const point = summary.front[i];
   const role = frontRole(i);
-  const yields = (point.yields || []).map(yieldWords).join(' ');
-  const words = choiceWords(point) + pointWords(i) + '. ' + yields + ' ' + certificateText(point.certificate);
+  const words = choiceWords(point) + data.points[i].name + '. ' + data.points[i].yields + ' ' +
+      certificateText(point.certificate);
   const left = el('div', {});
   const right = el('div', {});
   node.replaceChildren(
@@ -183,7 +181,7 @@ function chosenLimits(node, i) {
 function stopsCard() {
   const node = card('What stops the front', 'At the knee and at its ends.', 'wide');
   const part = (i, most) =>
-      node.append(el('h3', {}, 'The ' + frontRole(i) + ': ' + pointWords(i)), ...pointHolders(i, most));
+      node.append(el('h3', {}, 'The ' + frontRole(i) + ': ' + data.points[i].name), ...pointHolders(i, most));
   if (summary.knee !== null) part(summary.knee, Infinity);
   for (const i of new Set(summary.ends)) part(i, 2);
 }

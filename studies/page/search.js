@@ -9,8 +9,8 @@ import {card, sentence} from './dom.js';
 import {figure} from './figure.js';
 import {savedMotor} from './motor.js';
 import {movesCard} from './moves.js';
-import {robustCards} from './robust.js';
 import {csvText, named, parameterCell, quantity, table, tableSaved, valuesTable, words} from './table.js';
+import {tellSections} from './telling.js';
 import {between, displayUnit, engineering, printed} from './units.js';
 import {axisLabel, goalText, goalValue, holderList, keepsLimits, limitWords, plain, rateWords} from './words.js';
 import {ratioUnit, signed, slopeText, standingName, standingState, wholeEnds} from './words.js';
@@ -309,8 +309,8 @@ export function searchSections() {
   const section = list.length ? new CurveSection(list, names) : null;
   const title = list.length > 1 ? 'Torque: before and after' : 'Torque of the motor as it was';
   return [
-    () => section?.torque(title, data.standings.best), relaxationCard, limitsCard, robustCards, designCards, trustCard,
-    () => summary.best && movesCard((n) => summary.best.design[n] ?? summary.best.metrics[n]), () => section?.others(),
-    searchCard, startsCard
+    () => section?.torque(title, data.standings.best), relaxationCard, limitsCard, () => tellSections(), designCards,
+    trustCard, () => summary.best && movesCard((n) => summary.best.design[n] ?? summary.best.metrics[n]),
+    () => section?.others(), searchCard, startsCard
   ];
 }

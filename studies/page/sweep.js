@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Designs by the thousand: scatter, heat map of two variables, parallel coordinates, filters, table.
 
-import {rowNumber, rows, summary, unitOf} from './data.js';
+import {rowNumber, rows, summary} from './data.js';
 import {DesignView} from './design.js';
 import {DesignsTable, filterBoxes} from './designs.js';
 import {card, el} from './dom.js';
@@ -10,8 +10,7 @@ import {heatMap} from './heat.js';
 import {parallelChart} from './parallel.js';
 import {extent} from './ramp.js';
 import {Scatter} from './scatter.js';
-import {named, quantity, table} from './table.js';
-import {extremeLines} from './verdict.js';
+import {tellSections} from './telling.js';
 import {plain} from './words.js';
 
 /** none: a word for no column, whose number is -1. */
@@ -21,20 +20,6 @@ function chooser(columns, at, label, change, none) {
          none ? el('option', {value: -1}, none) : null, columns.map((c, i) => el('option', {value: i}, plain(c.name))));
   node.value = at;
   return el('label', {}, label + ' ', node);
-}
-
-function spreadTable() {
-  const names = Object.keys(summary.metrics);
-  return table(
-      'spread', ['metric', 'lowest', 'median', 'highest', 'designs'], names.map((n) => {
-        const m = summary.metrics[n];
-        const u = unitOf(n);
-        return [
-          named(n), quantity(m.min, u), quantity(m.median, u), quantity(m.max, u),
-          {text: String(m.count), value: m.count}
-        ];
-      }),
-      ['metric', 'lowest [SI]', 'median [SI]', 'highest [SI]', 'designs']);
 }
 
 /** The design with the most of a metric, or with the most on this page where that one is not here, and a word on it. */
@@ -84,9 +69,7 @@ export function sweepSections() {
   return [
     () => heatCard(view), () => scatterCard(filter, view, side),
     () => parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null),
-    () => card('Filters', limits, 'half filters').append(filterBoxes(filter)),
-    () => card('Spread of the metrics', null, 'half').append(spreadTable()),
-    () => card('The most and the least', 'The designs with them.', 'wide').append(extremeLines()),
+    () => card('Filters', limits, 'half filters').append(filterBoxes(filter)), () => tellSections(),
     () => new DesignsTable(card('The designs', null, 'wide').appendChild(el('div', {})), filter, view)
   ];
 }

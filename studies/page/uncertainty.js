@@ -2,12 +2,12 @@
 // Spread over tolerances: histograms with quantiles and limits, yield.
 
 import {drawLabel} from './chart.js';
+import {motorCurve} from './curve.js';
 import {rows, summary, unitOf} from './data.js';
 import {bold, bullets, card, colour, el} from './dom.js';
 import {figure} from './figure.js';
 import {capital} from './names.js';
-import {motorCurve} from './sensitivity.js';
-import {named, quantity, table, words} from './table.js';
+import {tellSections} from './telling.js';
 import {displayUnit, engineering, largest, percent, rounded, spreadText} from './units.js';
 import {axisLabel, limitWords, plain} from './words.js';
 
@@ -216,33 +216,6 @@ function histogramNote(name, {mean, sd}) {
   return spread + (summary.limits || []).filter((l) => l.metric === name).map(kept).join('');
 }
 
-function spreadCard() {
-  const quantiles = Object.keys(Object.values(summary.metrics)[0]?.quantiles || {});
-  const lines =
-      Object.entries(summary.metrics)
-          .map(
-              ([n, m]) =>
-                  [named(n), quantity(m.mean, unitOf(n)), {text: spreadText(m.sd, unitOf(n), m.mean, 4), value: m.sd},
-                   ...quantiles.map((q) => quantity(m.quantiles[q], unitOf(n))),
-                   {text: String(m.missing), value: m.missing}]);
-  const shares = quantiles.map((q) => rounded(100 * Number(q)) + ' %');
-  const header = ['metric', 'mean', 'standard deviation', ...shares, 'motors without a value'];
-  card('Spread', null, 'wide').append(table('spread', header, lines));
-}
-
-/** What each limit costs, and the table of the yields. */
-function yieldCard() {
-  if (!summary.limits) return;
-  const share = (v) => ({text: percent(v, 4), value: v});
-  const line = (name, e) => [name, share(e.value), share(e.low), share(e.high)];
-  const note = 'What each limit costs, the most expensive first; below with the ends of the ' +
-      percent(summary.confidence) + ' intervals.';
-  card('Yield', note, 'wide', yieldList()).append(table('yield', ['limit', 'kept by', 'at least', 'at most'], [
-    ...summary.limits.map((l) => line({text: limitWords(l.text), value: l.text, words: true}, l.kept)),
-    line(words('all of them'), summary.yield)
-  ]));
-}
-
 /** The page of a study of tolerances, from top to bottom. */
 export function uncertaintySections() {
   const histograms = Object.entries(summary.metrics).map(([name, info]) => () => {
@@ -250,5 +223,5 @@ export function uncertaintySections() {
     const node = card(capital(plain(name)), histogramNote(name, info), 'half');
     if (column) histogram(node, column, info);
   });
-  return [...histograms, yieldCard, spreadCard, motorCurve];
+  return [...histograms, () => tellSections({looser: yieldList}), motorCurve];
 }

@@ -36,7 +36,7 @@ export function plain(name) {
 }
 
 /** The same behind its article: "a peak power", "an output power". */
-export function withArticle(name) {
+function withArticle(name) {
   const words = plain(name);
   return (/^[aeio]/i.test(words) ? 'an ' : 'a ') + words;
 }
@@ -69,7 +69,7 @@ export function limitWords(text) {
 }
 
 /** "preload ≤ 100 N": an end of a range, at its own place or at another. */
-export function rangeWords(variable, side, limit) {
+function rangeWords(variable, side, limit) {
   return plain(variable) + signs[side] + engineering(limit, unitOf(variable));
 }
 
@@ -100,16 +100,6 @@ export function goalText(goal, value, digits = 4) {
 /** "lining peek.yaml, ": what was chosen for a design, before its numbers; empty where nothing was. */
 export function choiceWords(report) {
   return Object.entries(report.choice || {}).map(([name, set]) => shortName(name) + ' ' + set + ', ').join('');
-}
-
-/** Names with values, those of the contact layer together. */
-export function designWords(design) {
-  const say = (n) => engineering(design[n], unitOf(n), 3);
-  const layer = (n) => data.parameters[n]?.part === 'contact_layer';
-  const names = Object.keys(design);
-  const others = names.filter((n) => !layer(n)).map((n) => plain(n) + ' ' + say(n));
-  const inside = names.filter(layer).map((n) => shortName(n) + ' ' + say(n));
-  return [...others, inside.length ? 'contact layer ' + inside.join(' and ') : null].filter(Boolean).join(', ');
 }
 
 /** A limit, or the end of a range, of the page's data: "contact radius ≤ 30 mm, the end of its range". */
@@ -176,7 +166,7 @@ function bestWith(name, value, goal, standings) {
 }
 
 /** What moving a limit by 1 % brings, as words and nodes. */
-export function holderLine(s, goals, report) {
+function holderLine(s, goals, report) {
   const name = bold(standingName(s));
   if (s.changes.every((v) => v === null || v === 0))
     return [name, ': it is met, but moving it by 1 % changes nothing to first order.'];
@@ -192,7 +182,7 @@ export function holderLine(s, goals, report) {
 }
 
 /** What stops a design, a line each; most: how many lines at most, the rest is counted. */
-export function holderLines(report, standings, goals) {
+function holderLines(report, standings, goals) {
   const goal = goals.length === 1 ? goals[0] : null;
   return [
     ...holders(standings).map((s) => holderLine(s, goals, report)),

@@ -37,6 +37,18 @@ class Results(program.Case):
             self.assertIn("equal to the bit", said)
             self.assertEqual(before, {path.name: path.read_bytes() for path in folder.iterdir()})
 
+    def test_an_answer_as_markdown(self):
+        folder = self.run_study("sweep", SWEEP)
+        before = {path.name: path.read_bytes() for path in folder.iterdir()}
+        said = self.ok("report", folder, "--format", "md")
+        highest = json.loads((folder / "summary.json").read_text())["metrics"]["stall_torque"]["max"]
+        self.assertTrue(said.startswith("# sweep\n\nsweep of designs of "), said[:60])
+        self.assertRegex(said, rf"\n\| stall torque \| \S+ mN·m \| \S+ mN·m \| {1e3 * highest:.4g} mN·m \| 6 \|\n")
+        self.ok("report", folder, "--format", "md", "-o", self.folder / "answer.md")
+        self.assertEqual((self.folder / "answer.md").read_text(), said)
+        self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, before)
+        self.assertIn(b"-o belongs to --format md", self.refused("report", folder, "-o", self.folder / "page.html"))
+
     def test_samples_are_that_many(self):
         said = self.ok("verify", self.run_study("sweep", SWEEP), "--samples", "2", "--seed", "9")
         self.assertIn("2 of 6 stored rows evaluated again", said)

@@ -102,6 +102,9 @@ TEST_CASE("estimates stand with their intervals in one unit", "[studies][calibra
   CHECK_THAT(barred(answer_text(result)),
              Contains("kinetic_friction | 0.2 | - | - | held by its max\n"
                       "amplitude | 1.5 | - | - | um | not determined\n"));
+  CHECK_THAT(
+      headline_text(result, "undetermined"),
+      Contains("kinetic_friction 0.2 (held by its max), amplitude 1.5 um (not determined)."));
   CHECK(noted(result,
               "kinetic_friction is held by its max: the other estimates and their intervals hold "
               "for 0.2. With 1 % more of it they would change: +0.5 % amplitude and -1 % "
@@ -157,8 +160,9 @@ TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibra
   CalibrateResult result;
   result.data = {{1, 0.5, 1, kNaN, kNaN}};
   start(result, optim::Outcome::failed, {});
-  CHECK(answer_text(result) ==
-        "No start could be evaluated: the motor has no torque at one of the speeds measured.\n");
+  CHECK(headline_text(result, "failed") ==
+        "No fit was found. The motor has no torque at one of the speeds measured.\n");
+  CHECK(answer_text(result).empty());
   const Json json = answer_json(result);
   CHECK(json["estimates"].empty());
   CHECK(json["residual_rms"].is_null());

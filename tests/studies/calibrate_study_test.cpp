@@ -183,7 +183,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
   REQUIRE(result.optima.size() == 2);
   CHECK(result.optima[0].starts == 2);
   CHECK(result.optima[1].values[0] == 0.4);
-  const std::string text = answer_text(result);
+  const std::string text = headline_text(result, "fitted");
   CHECK_THAT(text, Contains("5 starts ended in 2 different places"));
   CHECK_THAT(text, Contains("2 of 5 starts did not reach an optimum"));
   CHECK(calibration({fit}, {{}, {}}).outcome == "failed");
@@ -204,7 +204,7 @@ TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
   asked.unsettled = "it went round and round";
   const KindAnswer answer = calibration(asked, {best});
   CHECK(answer.outcome == "feasible");
-  CHECK_THAT(answer_text(std::get<CalibrateResult>(answer.answer)),
+  CHECK_THAT(headline_text(answer.answer, answer.outcome),
              Contains("stopped short of the least residuals: it went round and round."));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "answer_support.hpp"
 #include "kinds/calibrate/calibration.hpp"
 #include "kinds/rows/executor.hpp"
-#include "results/answers.hpp"
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -91,7 +91,9 @@ struct Run {
   }
   const CalibrateResult& result() const { return std::get<CalibrateResult>(answer.answer); }
   std::string json() const { return answer_json(result()).dump(); }
-  std::string text() const { return answer_text(result()); }
+  std::string text() const {
+    return headline_text(answer.answer, answer.outcome) + answer_text(result());
+  }
   std::vector<StoredRow> rows() const {
     std::vector<StoredRow> rows;
     store->read([&](const StoredRow& row) { rows.push_back(row); });

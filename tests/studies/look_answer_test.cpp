@@ -48,14 +48,17 @@ CurveResult::Member member(double value, double torque, const std::string& statu
 
 TEST_CASE("a sweep says where each metric is least and most", "[studies][sweep][words]") {
   const SweepResult result = sweep();
-  CHECK(barred(answer_text(result)) ==
-        "6 designs (grid)\n"
+  CHECK(headline_text(result) ==
+        "6 designs.\n"
+        "The stall_torque runs from 400 mN.m to 800 mN.m with amplitude 2 um, preload 200 N.\n");
+  CHECK(barred(sections_text(result)) ==
+        "Spread of the metrics\n"
+        "metric | lowest | median | highest | designs\n"
+        "stall_torque | 400 mN.m | 500 mN.m | 800 mN.m | 6\n"
         "\n"
-        "metric | lowest | median | highest\n"
-        "stall_torque | 400 mN.m | 500 mN.m | 800 mN.m\n"
-        "\n"
-        "stall_torque | lowest at | amplitude 1 um, preload 100 N\n"
-        " | highest at | amplitude 2 um, preload 200 N\n");
+        "The most and the least\n"
+        "metric | lowest at | highest at\n"
+        "stall_torque | amplitude 1 um, preload 100 N | amplitude 2 um, preload 200 N\n");
   const Json json = answer_json(result);
   CHECK(json["units"] == Json{{"amplitude", "m"}, {"preload", "N"}, {"stall_torque", "N.m"}});
   const Json& torque = json["metrics"]["stall_torque"];
@@ -70,22 +73,26 @@ TEST_CASE("a sweep that is not over counts what it has", "[studies][sweep][words
   SweepResult result = sweep();
   result.stored = 4;
   result.failed = 1;
-  CHECK_THAT(answer_text(result), StartsWith("4 of 6 designs (grid), 1 failed or incomplete\n"));
+  CHECK_THAT(headline_text(result), StartsWith("4 designs, 1 of them failed or incomplete.\n"));
+  CHECK_THAT(sections_text(result), Contains("\n4 of 6 designs are computed.\n"));
   CHECK(answer_json(result)["stored"] == 4);
   result.stored = 0;
-  CHECK(answer_text(result).empty());
+  CHECK(sections_text(result).empty());
   result.stored = result.designs = 1;
-  CHECK_THAT(answer_text(result), StartsWith("1 design (grid), 1 failed"));
+  CHECK_THAT(headline_text(result), StartsWith("1 design, 1 of them failed"));
 }
 
 TEST_CASE("a metric that never changes, and one without a value, have no design to name",
           "[studies][sweep][words]") {
   SweepResult result = sweep();
   result.metrics[0].min = result.metrics[0].max;
-  CHECK_THAT(barred(answer_text(result)), EndsWith("\nstall_torque | the same in all designs\n"));
+  CHECK_THAT(headline_text(result), EndsWith("\nThe stall_torque is the same in all: 800 mN.m.\n"));
+  CHECK_THAT(barred(sections_text(result)),
+             EndsWith("\nstall_torque | the same in all designs | the same in all designs\n"));
   result.metrics[0] = {{"stall_torque", "N.m"}, 0, kNaN, kNaN, kNaN, {}, {}};
-  CHECK_THAT(barred(answer_text(result)), EndsWith("\nstall_torque | - | - | -\n"
-                                                   "\nstall_torque | no design has a value\n"));
+  CHECK_THAT(barred(sections_text(result)),
+             Contains("\nstall_torque | - | - | - | 0\n") &&
+                 EndsWith("\nstall_torque | no design has a value | no design has a value\n"));
   const Json json = answer_json(result);
   CHECK(json["metrics"]["stall_torque"]["min"].is_null());
   CHECK(json["metrics"]["stall_torque"]["lowest"].is_null());

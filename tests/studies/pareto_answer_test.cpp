@@ -76,8 +76,6 @@ TEST_CASE("the ends of a front and its knee stand side by side", "[studies][pare
   const ParetoResult result = front();
   CHECK(result.has_knee());
   CHECK(barred(answer_text(result)) ==
-        "3 points, 2 of them certified\n"
-        "\n"
         " | largest peak_power | smallest stall_torque | knee\n"
         "peak_power | 5 W | 3 W | 4 W\n"
         "stall_torque | 800 mN.m | 200 mN.m | 300 mN.m\n"
@@ -93,6 +91,27 @@ TEST_CASE("the ends of a front and its knee stand side by side", "[studies][pare
   CHECK(json["reference_point"] == Json::array({2.0, 1.0}));
   CHECK(json["units"] == Json{{"preload", "N"}, {"peak_power", "W"}});
   CHECK_FALSE(json.contains("relaxation"));
+}
+
+TEST_CASE("a front promises no more than its certificates", "[studies][pareto][words]") {
+  using Look = telling::Headline::Look;
+  ParetoResult result = front();
+  const std::string promise = "can be improved in one goal without loss in another";
+  const auto told = [&](std::size_t certified, const std::string& outcome) {
+    for (std::size_t i = 0; i < result.front.size(); ++i)
+      result.front[i].report.certificate.passed = i < certified;
+    return telling::headline(result_of(result, outcome));
+  };
+  CHECK(told(3, "optimal").look == Look::good);
+  CHECK(told(3, "optimal").badge == "every point certified");
+  CHECK_THAT(headline_text(result, "optimal"),
+             StartsWith("3 best compromises: none of them " + promise));
+  CHECK(told(2, "feasible").look == Look::bad);
+  CHECK_THAT(headline_text(result, "feasible"),
+             StartsWith("3 compromises, 2 of them certified: none of these " + promise));
+  CHECK(told(0, "feasible").look == Look::bad);
+  CHECK_THAT(headline_text(result, "feasible"), StartsWith("3 compromises, not certified: "));
+  CHECK_THAT(headline_text(result, "feasible"), !Contains(promise));
 }
 
 TEST_CASE("a front that bends the other way has no knee", "[studies][pareto][words]") {
@@ -113,7 +132,6 @@ TEST_CASE("what binds along a front is counted", "[studies][pareto][words]") {
   result.front.resize(1);
   result.ends = {0, 0};
   result.knee = 0;
-  CHECK_THAT(answer_text(result), StartsWith("1 point, 1 of them certified\n"));
   CHECK_THAT(answer_text(result), EndsWith("\nmax_pressure <= 2 MPa binds at 1 of 1 point.\n"));
 }
 
@@ -209,16 +227,17 @@ TEST_CASE("a front that no design is on says what stands in the way", "[studies]
   ParetoResult result;
   result.goals = front().goals;
   CHECK_FALSE(result.has_knee());
-  CHECK(answer_text(result) == "No point of the front was found.\n");
+  CHECK(headline_text(result, "failed") == "No point of the front was found.\n");
+  CHECK(answer_text(result).empty());
   CHECK(answer_json(result)["knee"].is_null());
   result.explanation.conflict = {"stall_torque >= 1 N.m"};
-  CHECK(answer_text(result) ==
-        "No design satisfies all limits: stall_torque >= 1 N.m cannot be reached.\n");
+  CHECK_THAT(headline_text(result, "infeasible"),
+             StartsWith("No design keeps every limit. stall_torque >= 1 N.m cannot be reached.\n"));
   CHECK(answer_json(result)["relaxation"]["conflict"] == Json::array({"stall_torque >= 1 N.m"}));
   result.explanation.conflict.clear();
   result.explanation.limits = {
       {"stall_torque >= 1 N.m", "stall_torque", "N.m", true, 1, 0.1, kNaN}};
   CHECK_THAT(barred(answer_text(result)),
-             EndsWith("\nstall_torque >= 1 N.m | >= 900 mN.m | does not help alone\n"));
+             EndsWith("\nstall_torque >= 1 N.m | >= 900 mN.m | does not help alone\n\n"));
   CHECK(answer_json(result)["relaxation"]["limits"][0]["amount"] == 0.1);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "answer_support.hpp"
 #include "kinds/rows/executor.hpp"
-#include "results/answers.hpp"
 #include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -64,8 +64,9 @@ struct Search {
     return answer_json(optimum());
   }
   std::string text() const {
-    if (const auto* front = std::get_if<ParetoResult>(&answer.answer)) return answer_text(*front);
-    return answer_text(optimum());
+    return headline_text(answer.answer, answer.outcome) +
+           std::visit([](const auto& one) { return answer_text(one); }, answer.answer) +
+           sections_text(answer.answer);
   }
   std::vector<StoredRow> rows() const {
     std::vector<StoredRow> rows;

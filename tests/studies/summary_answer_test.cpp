@@ -50,13 +50,14 @@ TEST_CASE("a summary without an answer is its heading and what it cost",
           "[studies][summary][words]") {
   StudyResult result = study();
   CHECK(summary_text(result) ==
-        "tolerances (uncertainty) of ring-60: done\n\n10 evaluations in 1.25 s\n");
+        "tolerances (uncertainty) of ring-60: complete\n\nNo motor was computed.\n\n10 "
+        "evaluations in 1.25 s\n");
   result.motor.clear();
   result.evaluations = 1;
   result.outcome = "interrupted";
   CHECK(summary_text(result) ==
         "tolerances (uncertainty): interrupted\n"
-        "\nInterrupted: this is what there was by then, and not the answer.\n"
+        "\nThis study was interrupted; what is here is not all of it.\n"
         "\n1 evaluation in 1.25 s\n");
 }
 
@@ -66,7 +67,7 @@ TEST_CASE("an answer and the doubts about it stand apart", "[studies][summary][w
   answer.samples = 10;
   result.answer = answer;
   result.model_notes = {"Too fast.", "Too thin."};
-  CHECK_THAT(summary_text(result), Contains("done\n\n10 motors drawn, 95 % intervals"));
+  CHECK_THAT(summary_text(result), Contains("\nSpread\n10 motors drawn; intervals of 95 %.\n"));
   CHECK_THAT(summary_text(result),
              EndsWith("\n\nnote: Too fast.\nnote: Too thin.\n\n10 evaluations in 1.25 s\n"));
   CHECK(Json::parse(summary_json(result))["model_notes"] == Json{"Too fast.", "Too thin."});

@@ -44,16 +44,22 @@ UncertaintyResult with_limits() {
 
 TEST_CASE("spreads stand above their intervals", "[studies][uncertainty][words]") {
   const UncertaintyResult result = spread();
-  CHECK(barred(answer_text(result)) ==
-        "1000 motors drawn, 95 % intervals in parentheses\n"
+  CHECK(headline_text(result) ==
+        "Mean and standard deviation: stall_torque 600 mN.m +- 50 mN.m.\n");
+  CHECK(barred(sections_text(result)) ==
+        "Spread\n"
+        "1000 motors drawn; intervals of 95 %.\n"
+        "metric | mean | standard deviation | 5 % quantile | 50 % quantile\n"
+        "stall_torque | 600 mN.m | 50 mN.m | 500 mN.m | 600 mN.m\n"
         "\n"
-        "metric | mean | standard deviation\n"
-        "stall_torque | 600 mN.m | 50 mN.m\n"
-        " | (590 mN.m to 610 mN.m) | (40 mN.m to 60 mN.m)\n"
+        "metric | motors without a value\n"
+        "stall_torque | 0\n"
         "\n"
-        "metric | 5 % quantile | 50 % quantile\n"
-        "stall_torque | 500 mN.m | 600 mN.m\n"
-        " | (490 mN.m to 510 mN.m) | (585 mN.m to 615 mN.m)\n");
+        "metric | statistic | at least | at most\n"
+        "stall_torque | mean | 590 mN.m | 610 mN.m\n"
+        "stall_torque | standard deviation | 40 mN.m | 60 mN.m\n"
+        "stall_torque | 5 % quantile | 490 mN.m | 510 mN.m\n"
+        "stall_torque | 50 % quantile | 585 mN.m | 615 mN.m\n");
   const Json json = answer_json(result);
   CHECK(json["samples"] == 1000);
   CHECK(json["confidence"] == 0.95);
@@ -72,7 +78,7 @@ TEST_CASE("spreads stand above their intervals", "[studies][uncertainty][words]"
 TEST_CASE("nothing drawn is nothing said", "[studies][uncertainty][words]") {
   UncertaintyResult result = spread();
   result.samples = 0;
-  CHECK(answer_text(result).empty());
+  CHECK(sections_text(result).empty());
 }
 
 TEST_CASE("motors without an answer are counted where they are missed",
@@ -80,19 +86,17 @@ TEST_CASE("motors without an answer are counted where they are missed",
   UncertaintyResult result = spread();
   result.failed = 40;
   result.metrics[0].count = 970;
-  CHECK_THAT(answer_text(result), StartsWith("1000 motors drawn, 95 % intervals in parentheses; 40 "
-                                             "failed or incomplete\n"));
-  CHECK_THAT(answer_text(result), EndsWith("\nstall_torque: 30 motors have no value; the numbers "
-                                           "are those of the others.\n"));
+  CHECK_THAT(sections_text(result), Contains("\nstall_torque: 30 motors have no value; the numbers "
+                                             "are those of the others.\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["missing"] == 30);
   result.metrics[0].count = 999;
-  CHECK_THAT(answer_text(result), EndsWith("\nstall_torque: 1 motor has no value; the numbers are "
-                                           "those of the others.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\nstall_torque: 1 motor has no value; the numbers are "
+                      "those of the others.\n"));
   // All of them: there are no others.
   result.metrics[0] = {{"stall_torque", "N.m"}, 0, {}, {}, {{0.5, {}}}};
-  CHECK_THAT(barred(answer_text(result)),
-             EndsWith("stall_torque | - | - | -\n | (- to -) | (- to -) | (- to -)\n"
-                      "stall_torque: no motor has a value.\n"));
+  CHECK_THAT(barred(sections_text(result)), Contains("\nstall_torque: no motor has a value.\n") &&
+                                                Contains("\nstall_torque | - | - | - | 1000\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["mean"].is_null());
 }
 
@@ -100,20 +104,23 @@ TEST_CASE("a distribution that was cut off says by how much", "[studies][uncerta
   UncertaintyResult result = spread();
   result.start = "../size";
   result.cut_off = {{"preload", 0.0123}};
-  CHECK_THAT(answer_text(result), EndsWith("\n1.23 % of the distribution of preload is not "
-                                           "admissible and was cut off.\n"));
+  CHECK_THAT(sections_text(result), Contains("\n1.23 % of the distribution of preload is not "
+                                             "admissible and was cut off.\n"));
   CHECK(answer_json(result)["cut_off"] == Json{{"preload", 0.0123}});
   CHECK(answer_json(result)["start"] == "../size");
 }
 
 TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][words]") {
   UncertaintyResult result = with_limits();
-  CHECK_THAT(barred(answer_text(result)),
-             EndsWith("\n\nYield: 87.5 % | (85 % to 90 %) of the motors keep all limits.\n"
-                      "limit | kept by\n"
-                      "stall_torque >= 0.5 N.m | 95 % | (93 % to 97 %)\n"
-                      "max_pressure <= 2 MPa | 90 % | (88 % to 92 %)\n"
-                      "'max_pressure <= 2 MPa' costs most.\n"));
+  CHECK(headline_text(result) ==
+        "87.5 % of the motors keep every limit (between 85 % and 90 % with 95 % confidence).\n"
+        "The limit that costs most is max_pressure <= 2 MPa: 90 % keep it.\n");
+  CHECK_THAT(barred(sections_text(result)),
+             StartsWith("Yield\n"
+                        "limit | kept by | at least | at most\n"
+                        "stall_torque >= 0.5 N.m | 95 % | 93 % | 97 %\n"
+                        "max_pressure <= 2 MPa | 90 % | 88 % | 92 %\n"
+                        "all of them | 87.5 % | 85 % | 90 %\n"));
   const Json json = answer_json(result);
   CHECK(json["yield"] == Json{{"value", 0.875}, {"low", 0.85}, {"high", 0.9}});
   CHECK(json["limits"][0]["sense"] == "at least");
@@ -128,28 +135,34 @@ TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][w
   CHECK(answer_json(result)["limits"][0]["limit"].is_null());
 
   result.no_value = 12;
-  CHECK_THAT(answer_text(result), EndsWith("\n12 motors have no value for a limit and count as not "
-                                           "keeping it.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\n12 motors have no value for a limit and count as not "
+                      "keeping it.\n"));
   CHECK(answer_json(result)["without_value"] == 12);
   result.no_value = 1;
-  CHECK_THAT(answer_text(result), EndsWith("\n1 motor has no value for a limit and counts as not "
-                                           "keeping it.\n"));
+  CHECK_THAT(sections_text(result), Contains("\n1 motor has no value for a limit and counts as not "
+                                             "keeping it.\n"));
 }
 
-TEST_CASE("limits that all motors keep, and a limit by itself, cost nothing to name",
+TEST_CASE("where all motors keep the limits, no limit costs most",
           "[studies][uncertainty][words]") {
   UncertaintyResult result = with_limits();
   for (auto& limit : result.limits) limit.kept = {1, 0.99, 1};
-  CHECK_THAT(answer_text(result), !Contains("costs most"));
-  result = with_limits();
-  result.limits.pop_back();
-  CHECK_THAT(answer_text(result), !Contains("costs most"));
-  CHECK_THAT(answer_text(result), Contains("Yield: 87.5 %"));
+  CHECK_THAT(headline_text(result), !Contains("costs most"));
+}
+
+TEST_CASE("a yield is good from 95 % of the motors on", "[studies][uncertainty][words]") {
+  UncertaintyResult result = with_limits();
+  CHECK(telling::headline(result_of(result)).look == telling::Headline::Look::bad);
+  CHECK(telling::headline(result_of(result)).badge == "87.5 % keep the limits");
+  result.yield = Estimate{0.96, 0.95, 0.97};  // its lower end decides
+  CHECK(telling::headline(result_of(result)).look == telling::Headline::Look::good);
+  result.yield = Estimate{0.96, 0.94, 0.97};
+  CHECK(telling::headline(result_of(result)).look == telling::Headline::Look::bad);
 }
 
 TEST_CASE("limits without metrics have no table of spreads", "[studies][uncertainty][words]") {
   UncertaintyResult result = with_limits();
   result.metrics.clear();
-  CHECK_THAT(answer_text(result), StartsWith("1000 motors drawn, 95 % intervals in parentheses\n\n"
-                                             "\nYield: "));
+  CHECK_THAT(sections_text(result), EndsWith("\nSpread\n1000 motors drawn; intervals of 95 %.\n"));
 }

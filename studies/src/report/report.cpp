@@ -13,6 +13,7 @@
 #include "results/answers.hpp"
 #include "results/search_words.hpp"
 #include "stored/stored_study.hpp"
+#include "telling/renderers.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/parameters.hpp>
@@ -144,6 +145,9 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
       {"summary", summary},
       {"names", names_json(summary, rows["columns"])},
       {"standings", standings_json(result.answer)},
+      {"headline", telling::headline_json(telling::headline(result))},
+      {"sections", telling::sections_json(telling::sections(result))},
+      {"points", telling::points_json(result.answer)},
       {"failures", failures_json(summary)},
       {"files", files_json(study, result)},
       {"global_solvers", global_solvers_json()},
@@ -165,6 +169,10 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   page = filled(page, "/*UNITS*/", embedded(display_units_json(data)));
   page = filled(page, "/*CORE*/", base64(assets::core_module()));
   return filled(page, "/*DATA*/", embedded(data));
+}
+
+std::string report_markdown(const std::string& directory, const std::stop_token& stop) {
+  return summary_markdown(StoredStudy(directory, stop).answer());
 }
 
 std::string write_report(const std::string& directory, const std::stop_token& stop) {

@@ -29,14 +29,16 @@ Json answer_json(const ParetoResult& result);
 Json answer_json(const UncertaintyResult& result);
 Json answer_json(const CalibrateResult& result);
 
-/// Lines for the terminal, each with its end; empty if there is nothing to say.
+/// Lines for the terminal of the kinds that are not told by sections, each with its end; empty if there is nothing to
+/// say.
+template <typename Answer>
+std::string answer_text(const Answer& /*told by its sections*/) {
+  return {};
+}
 std::string answer_text(const CurveResult& result);
 std::string answer_text(const FrequencyResult& result);
-std::string answer_text(const SweepResult& result);
-std::string answer_text(const SensitivityResult& result);
 std::string answer_text(const OptimizeResult& result);
 std::string answer_text(const ParetoResult& result);
-std::string answer_text(const UncertaintyResult& result);
 std::string answer_text(const CalibrateResult& result);
 
 }  // namespace twum::studies

@@ -28,13 +28,6 @@ bool undetermined(const CalibrateResult& result, const std::string& name) {
   });
 }
 
-std::string remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
-  if (e.bound != Bound::none) return std::string("held by its ") + end_word(e.bound);
-  if (undetermined(result, e.parameter.name)) return "not determined";
-  if (wider_than_range(e)) return "wider than its range";
-  return CalibrateResult::of_use(e) ? "" : "hardly determined";
-}
-
 Json cut_off_json(const CalibrateResult::Estimate& e) {
   if (e.low_cut) return e.high_cut ? "both" : "low";
   return e.high_cut ? Json("high") : Json(nullptr);
@@ -57,7 +50,7 @@ Json estimates_json(const CalibrateResult& result) {
                               {"at_bound", bound_json(e.bound)},
                               {"interval", e.profiled ? "profile" : "linear"},
                               {"cut_off", cut_off_json(e)},
-                              {"remark", remark(result, e)}};
+                              {"remark", estimate_remark(result, e)}};
     if (!e.file.empty()) json[e.parameter.name]["file"] = e.file;
     if (!e.profile.empty()) json[e.parameter.name]["profile"] = profile_json(e);
   }
@@ -262,7 +255,7 @@ std::string estimates_table(const CalibrateResult& result) {
     const int digits = interval_digits(e);
     const auto shown = [&](double value) { return rounded_text(value / unit.divisor, digits); };
     table.rows.push_back({e.parameter.name, shown(e.parameter.value), interval ? shown(e.low) : "-",
-                          interval ? shown(e.high) : "-", unit.text, remark(result, e)});
+                          interval ? shown(e.high) : "-", unit.text, estimate_remark(result, e)});
   }
   return aligned(table);
 }
@@ -360,6 +353,13 @@ std::string optima_table(const CalibrateResult& result) {
 
 }  // namespace
 
+std::string estimate_remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
+  if (e.bound != Bound::none) return std::string("held by its ") + end_word(e.bound);
+  if (undetermined(result, e.parameter.name)) return "not determined";
+  if (wider_than_range(e)) return "wider than its range";
+  return CalibrateResult::of_use(e) ? "" : "hardly determined";
+}
+
 Json answer_json(const CalibrateResult& result) {
   Json json{{"estimates", estimates_json(result)},
             {"confidence", result.confidence},
@@ -389,18 +389,12 @@ Json answer_json(const CalibrateResult& result) {
 
 std::string answer_text(const CalibrateResult& result) {
   if (result.unmeasured) return first_plan_words(result);
-  if (result.estimates.empty())
-    return result.data.front().torque()
-               ? "No start could be evaluated: the motor has no torque at one of the speeds "
-                 "measured.\n"
-               : "No start could be evaluated: the motor has no value for one of the measured "
-                 "numbers.\n";
+  if (result.estimates.empty()) return {};
   std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
                      estimates_table(result) + "\n";
   for (const NamedValue& value : result.derived)
     text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
   text += data_table(result) + residual_words(result) + test_words(result);
-  for (const std::string& note : calibration_notes(result)) text += note + "\n";
   text += optima_table(result);
   if (result.folded)
     text += "\nHow the answer changes with a fixed parameter is unknown: " + fold_words() + ".\n";

@@ -20,6 +20,10 @@ const char* end_word(CalibrateResult::Bound bound);
 /// The data leave more room for a parameter than the range that was searched.
 bool wider_than_range(const CalibrateResult::Estimate& estimate);
 
+/// "hardly determined", "held by its max" ...; empty where the interval says all.
+std::string estimate_remark(const CalibrateResult& result,
+                            const CalibrateResult::Estimate& estimate);
+
 /// What to know before believing the estimates, a sentence each, the gravest first; the same on a
 /// terminal, in summary.json and on the page.
 std::vector<std::string> calibration_notes(const CalibrateResult& result);

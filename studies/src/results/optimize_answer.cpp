@@ -57,15 +57,6 @@ std::string bound_words(const OptimizeResult& result, const std::string& name) {
   return whole_end_words(result, name);
 }
 
-double before_value(const OptimizeResult& result) {
-  const double metric = value_of(result.before_metrics, result.goal.metric);
-  return std::isnan(metric) ? value_of(result.before_statistics, result.goal.metric) : metric;
-}
-
-std::string value_words(double value, const Goal& goal) {
-  return is_share(goal) && !std::isnan(value) ? percent_words(value) : cell(value, goal.unit);
-}
-
 std::string design_table(const OptimizeResult& result) {
   TextTable table{{{"design", "before", "best", ""}}};
   for (const ChosenSet& one : result.best.choice)
@@ -210,17 +201,12 @@ Json answer_json(const OptimizeResult& result) {
 }
 
 std::string answer_text(const OptimizeResult& result) {
-  if (!result.found) return "No design could be evaluated.\n";
+  if (!result.found) return {};
   const bool infeasible = !result.explanation.empty();
   std::string text;
   if (infeasible)
-    text = relaxation_words(result.explanation) + "\nThe design with the smallest violation:\n\n";
-  else
-    text = goal_words(result.goal) + ": " +
-           value_words(goal_value(result.best, result.goal), result.goal) + " (was " +
-           value_words(before_value(result), result.goal) + ")\n\n";
+    text = relaxation_tables(result.explanation) + "The design with the smallest violation:\n\n";
   text += design_table(result) + limit_table(result) + "\n" + metric_table_text(result) + "\n";
-  if (result.robust) text += robust_words(*result.robust, result.goal) + "\n";
   if (infeasible) return text + solver_words(result);
   text += verdict(result) + scan_words(result);
   if (!result.without_influence.empty())

@@ -14,12 +14,6 @@
 namespace twum::studies {
 namespace {
 
-std::size_t certified(const ParetoResult& result) {
-  return static_cast<std::size_t>(
-      std::count_if(result.front.begin(), result.front.end(),
-                    [](const auto& p) { return p.report.certificate.passed; }));
-}
-
 struct Shown {
   std::string title;
   const ParetoResult::Point* point;
@@ -213,14 +207,6 @@ std::string yields_words(const ParetoResult& result) {
   return text;
 }
 
-// Why there is no front.
-std::string no_front_words(const ParetoResult& result) {
-  if (!result.explanation.empty()) return relaxation_words(result.explanation);
-  if (!result.largest_yield) return "No point of the front was found.\n";
-  return "The wanted yield cannot be reached. At the design of the largest one " +
-         yield_words(*result.largest_yield) + "Tighten a tolerance or loosen a limit.\n";
-}
-
 }  // namespace
 
 bool ParetoResult::has_knee() const {
@@ -253,10 +239,10 @@ Json answer_json(const ParetoResult& result) {
 }
 
 std::string answer_text(const ParetoResult& result) {
-  if (!result.explanation.empty() || result.front.empty()) return no_front_words(result);
-  return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
-         " of them certified\n\n" + front_table(result) + points_table(result) + "\n" +
-         yields_words(result) + choice_counts(result) + binding_words(result) + worth_text(result);
+  if (!result.explanation.empty()) return relaxation_tables(result.explanation);
+  if (result.front.empty()) return {};
+  return front_table(result) + points_table(result) + "\n" + yields_words(result) +
+         choice_counts(result) + binding_words(result) + worth_text(result);
 }
 
 }  // namespace twum::studies

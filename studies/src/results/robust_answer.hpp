@@ -17,11 +17,7 @@ bool is_share(const Goal& goal);
 std::string goal_change_words(double change, const Goal& goal);
 /// {text, target, value, low, high, samples, verdict}
 Json robust_yield_json(const RobustYield& yield);
-/// "99.16 % of the motors keep all limits: 99.06 % to 99.24 % by 40000 new random motors; 99 % wanted: holds."
-std::string yield_words(const RobustYield& yield);
 /// {target, yield, nominal, price, limits, tolerances, rounds, correction, largest_yield, densities ...}
 Json robust_json(const RobustReport& report);
-/// Yield, price, contributions to the risk, and value of tolerances, for the terminal.
-std::string robust_words(const RobustReport& report, const Goal& goal);
 
 }  // namespace twum::studies

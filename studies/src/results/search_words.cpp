@@ -82,42 +82,13 @@ std::string range_words(const RangeState& end, double limit) {
          engineering(limit, end.variable.unit);
 }
 
-std::string impossible_words(const ImpossibleState& limit, const std::vector<RangeState>& ranges) {
-  std::string text = limit.text + " cannot be reached: the " + (limit.at_least ? "most" : "least") +
-                     " found within the ranges is " + engineering(limit.best, limit.unit);
-  std::vector<std::string> ends;
-  for (const std::size_t at : limit.ends) ends.push_back(range_words(ranges[at], ranges[at].limit));
-  if (!ends.empty()) text += ", at " + enumeration(ends);
-  if (!limit.choice.empty()) text += ", with " + choice_words(limit.choice);
-  return text + ".\n";
-}
-
-// Limits impossible by themselves first, then those that exclude each other.
-std::string cause_words(const Explanation& told) {
-  std::string text = "No design satisfies all limits";
-  std::vector<std::string> group;
-  for (const std::string& name : told.conflict)
-    if (std::ranges::find(told.impossible, name, &ImpossibleState::text) == told.impossible.end())
-      group.push_back(name);
-  if (told.impossible.empty() && group.size() == 1)
-    text += ": " + group.front() + " cannot be reached";
-  if (told.impossible.empty() && group.size() > 1)
-    text += "; these cannot hold together: " + enumeration(group);
-  text += ".\n";
-  for (const ImpossibleState& limit : told.impossible) text += impossible_words(limit, told.ranges);
-  if (!told.impossible.empty() && !group.empty())
-    text += "Without " + std::string(told.impossible.size() == 1 ? "it" : "them") +
-            " these cannot hold together: " + enumeration(group) + ".\n";
-  return text;
-}
-
 std::string relaxation_table(const std::vector<RelaxationState>& limits) {
   if (limits.empty()) return {};
   TextTable table{{{"limit to loosen", "together with the others", "alone"}}};
   for (const RelaxationState& state : limits)
     table.rows.push_back(
         {state.text, relaxed(state, state.amount), relaxed(state, state.amount_alone)});
-  return "\n" + aligned(table);
+  return aligned(table) + "\n";
 }
 
 std::string range_table(const std::vector<RangeState>& ranges) {
@@ -128,7 +99,7 @@ std::string range_table(const std::vector<RangeState>& ranges) {
         {range_words(end, end.limit), std::isfinite(end.limit_alone)
                                           ? "possible with " + range_words(end, end.limit_alone)
                                           : "none found"});
-  return "\n" + aligned(table);
+  return aligned(table) + "\n";
 }
 
 }  // namespace
@@ -258,13 +229,8 @@ std::string enumeration(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string relaxation_words(const Explanation& explanation) {
-  const std::string nearest = explanation.choice.empty()
-                                  ? ""
-                                  : "No combination of the choices keeps all limits; " +
-                                        choice_words(explanation.choice) + " comes nearest.\n";
-  return cause_words(explanation) + nearest + relaxation_table(explanation.limits) +
-         range_table(explanation.ranges);
+std::string relaxation_tables(const Explanation& explanation) {
+  return relaxation_table(explanation.limits) + range_table(explanation.ranges);
 }
 
 std::string finding_words(const optim::Certificate& certificate) {

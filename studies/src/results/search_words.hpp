@@ -35,8 +35,8 @@ std::string change_words(double value, const std::string& unit);
 std::string end_words(const BoundState& bound);
 /// "a, b and c"
 std::string enumeration(const std::vector<std::string>& names);
-/// The limits that are impossible alone, those that exclude each other, and the smallest changes that help.
-std::string relaxation_words(const Explanation& explanation);
+/// The smallest changes that help, each table with an empty line behind it.
+std::string relaxation_tables(const Explanation& explanation);
 /// The findings of a certificate, one line each.
 std::string finding_words(const optim::Certificate& certificate);
 /// The value of a name; NaN if it is not there.

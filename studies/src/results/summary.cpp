@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
 #include "results/provenance.hpp"
+#include "telling/renderers.hpp"
 
 #include <twum/base/version.hpp>
 #include <twum/io/engineering.hpp>
@@ -76,18 +77,10 @@ std::string count_text(const StudyResult& result) {
          " s\n";
 }
 
-// What a certificate says of the optimum; the word in the file stays "optimal".
-std::string outcome_words(const StudyResult& result) {
-  const auto* one = std::get_if<OptimizeResult>(&result.answer);
-  if (one == nullptr || result.outcome != "optimal") return result.outcome;
-  const bool proved = one->best.certificate.second_order || !one->best.certificate.passed;
-  return proved ? "local optimum" : "first order only";
-}
-
-std::string heading(const StudyResult& result) {
+std::string heading(const StudyResult& result, const telling::Headline& told) {
   std::string text = result.study + " (" + std::string(to_string(result.kind)) + ")";
   if (!result.motor.empty()) text += " of " + printable(result.motor);
-  return text + ": " + outcome_words(result) + "\n";
+  return text + ": " + told.badge + "\n";
 }
 
 }  // namespace
@@ -119,15 +112,33 @@ std::string summary_json(const StudyResult& result) {
 std::string summary_text(const StudyResult& result, std::span<const std::string> said) {
   const std::string answer =
       std::visit([](const auto& one) { return answer_text(one); }, result.answer);
-  std::string text = heading(result);
-  if (result.outcome == "interrupted")
-    text += "\nInterrupted: this is what there was by then, and not the answer.\n";
+  const telling::Headline told = telling::headline(result);
+  std::string text = heading(result, told) + "\n" + telling::terminal_text(told);
   if (!answer.empty()) text += "\n" + answer;
+  const std::string said_of = telling::terminal_text(telling::sections(result));
+  if (!said_of.empty()) text += "\n" + said_of;
   std::string notes;
   for (const std::string& note : result.model_notes)
     if (std::find(said.begin(), said.end(), note) == said.end()) notes += "note: " + note + "\n";
   if (!notes.empty()) text += "\n" + notes;
   return text + "\n" + count_text(result) + failures_text(result);
+}
+
+std::string summary_markdown(const StudyResult& result) {
+  const telling::Headline told = telling::headline(result);
+  const auto line = [](const std::string& words) {
+    return telling::markdown(telling::Phrase{words});
+  };
+  std::string text =
+      "# " + line(result.study) + "\n\n" + line(told.title) + "\n\n" + telling::markdown(told);
+  const std::vector<telling::Section> sections = telling::sections(result);
+  const std::string answer =
+      std::visit([](const auto& one) { return answer_text(one); }, result.answer);
+  text += telling::markdown(sections);
+  if (!answer.empty()) text += "\n```text\n" + answer + "```\n";
+  if (!result.model_notes.empty()) text += "\n## Mind the model\n\n";
+  for (const std::string& note : result.model_notes) text += "- " + line(note) + "\n";
+  return text;
 }
 
 }  // namespace twum::studies

@@ -17,16 +17,28 @@ namespace twum::cli {
 namespace {
 
 constexpr const char* kReportExamples = R"text(Examples:
-  twum report results                 builds results/report.html again)text";
+  twum report results                    builds results/report.html again
+  twum report results --format md        prints the answer as Markdown, to paste into a report
+  twum report results --format md -o answer.md)text";
 
-int run_report(const std::string& directory) {
+struct ReportOptions {
+  std::string directory;
+  std::string format{"html"};
+  std::string path;
+};
+
+int run_report(const ReportOptions& options) {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(directory, ignored))
-    throw InputError(directory + ": no such directory; give one that 'twum run' wrote");
+  if (!std::filesystem::is_directory(options.directory, ignored))
+    throw InputError(options.directory + ": no such directory; give one that 'twum run' wrote");
+  if (options.format == "html" && !options.path.empty())
+    throw InputError("-o: the page is DIR/report.html; -o belongs to --format md");
   const StopOnInterrupt stop;
-  const std::string path = studies::write_report(directory, stop.token());
-  Output output("");
-  output.say(path + "\n");
+  const std::string text = options.format == "md"
+                               ? studies::report_markdown(options.directory, stop.token())
+                               : studies::write_report(options.directory, stop.token()) + "\n";
+  Output output(options.path);
+  output.say(text);
   output.finish();
   return kDone;
 }
@@ -34,15 +46,19 @@ int run_report(const std::string& directory) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto directory = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("report", "Writes the report page of a study's results again");
-  command->add_option("DIR", *directory, "Directory that 'twum run' wrote")
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Writes the report of a study's results again: the page, or Markdown");
+  command->add_option("DIR", options->directory, "Directory that 'twum run' wrote")
       ->required()
       ->type_name("DIR");
+  command->add_option("--format", options->format, "html: the page DIR/report.html; md: Markdown")
+      ->check(CLI::IsMember({"html", "md"}))
+      ->type_name("FORMAT");
+  command->add_option("-o,--output", options->path, "File of the Markdown (default: the terminal)")
+      ->type_name("FILE");
   command->footer(kReportExamples);
-  command->callback(
-      [directory, &action] { action = [directory] { return run_report(*directory); }; });
+  command->callback([options, &action] { action = [options] { return run_report(*options); }; });
 }
 
 }  // namespace twum::cli

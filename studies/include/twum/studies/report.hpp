@@ -29,4 +29,8 @@ std::string report_html(const StudyFile& study, const StudyResult& result);
 ///         result is damaged or the page cannot be written; Interrupted after a stop request
 std::string write_report(const std::string& directory, const std::stop_token& stop = {});
 
+/// The answer of a result directory as Markdown.
+/// @throws as write_report()
+std::string report_markdown(const std::string& directory, const std::stop_token& stop = {});
+
 }  // namespace twum::studies

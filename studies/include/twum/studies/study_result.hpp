@@ -81,4 +81,7 @@ std::string results_csv(const StudyResult& result);
 /// @param said  notes that were shown before and are left out
 std::string summary_text(const StudyResult& result, std::span<const std::string> said = {});
 
+/// The same as Markdown, for a report: symbols and units as books print them.
+std::string summary_markdown(const StudyResult& result);
+
 }  // namespace twum::studies

@@ -6,13 +6,11 @@
 
 #include <vector>
 
-/// The pictures of each kind of answer; in the order of the page.
+/// The pictures of each kind of answer besides those of its sections, in the order of the page.
 namespace twum::cli {
 
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::CurveResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::SweepResult& answer);
-std::vector<Picture> pictures_of(const FinishedStudy& study,
-                                 const studies::SensitivityResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::OptimizeResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::ParetoResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study,
@@ -22,8 +20,14 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
 std::vector<Picture> pictures_of(const FinishedStudy& study,
                                  const studies::FrequencyResult& answer);
 
-/// What tolerances do to a search: how the limited metrics scatter, where the risk goes, what each tolerance and the yield cost.
-void add_robust_pictures(std::vector<Picture>& pictures, const FinishedStudy& study,
-                         const studies::OptimizeResult& answer);
+/// The motor of the study, for a kind that draws no motors of its own.
+template <typename Answer>
+std::vector<Picture> pictures_of(const FinishedStudy& study, const Answer& /*answer*/) {
+  std::vector<Picture> pictures;
+  std::vector<NamedMotor> motors;
+  add_motor(motors, "motor", study.result.design, {});
+  add_curve_pictures(pictures, study.title("the motor"), motors);
+  return pictures;
+}
 
 }  // namespace twum::cli

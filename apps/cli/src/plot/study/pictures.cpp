@@ -3,10 +3,13 @@
 
 #include "plot/frequency_plot.hpp"
 #include "plot/study/kinds.hpp"
+#include "plot/study/told_pictures.hpp"
 
 #include <twum/io/engineering.hpp>
 #include <twum/motors/plain_name.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <variant>
 
 namespace twum::cli {
@@ -99,8 +102,10 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
 }
 
 std::vector<Picture> study_pictures(const FinishedStudy& study) {
-  return std::visit([&](const auto& answer) { return pictures_of(study, answer); },
-                    study.result.answer);
+  std::vector<Picture> pictures = std::visit(
+      [&](const auto& answer) { return pictures_of(study, answer); }, study.result.answer);
+  std::ranges::move(told_pictures(study), std::back_inserter(pictures));
+  return pictures;
 }
 
 }  // namespace twum::cli

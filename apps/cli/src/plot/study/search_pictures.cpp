@@ -196,7 +196,6 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
   add_curve_pictures(pictures, study.title("before and after"), motors,
                      limits_of(study.file.asked));
   add_history(pictures, study, answer);
-  if (answer.robust) add_robust_pictures(pictures, study, answer);
   return pictures;
 }
 

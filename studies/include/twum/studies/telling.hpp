@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/study_result.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// What is said about an answer, before anybody decides how it looks. Terminal, page, Markdown and pictures are
+/// renderers of this: what is said, what is marked and how many digits a number has is decided here and nowhere else.
+namespace twum::studies::telling {
+
+/// A part of a sentence or of a cell.
+struct Part {
+  enum class Kind : unsigned char {
+    words,   ///< `text` as it is
+    name,    ///< a parameter, a metric or a statistic, as typed in `text`
+    a_name,  ///< the same behind its article: "a peak power", "an output power"
+    limit,   ///< a limit, as typed in `text`
+    value,   ///< `value` in the SI unit `text`
+    share,   ///< `value` in per cent
+  };
+  Kind kind{Kind::words};
+  std::string text;
+  double value{std::numeric_limits<double>::quiet_NaN()};  ///< SI; NaN: there is none
+  int digits{4};                                           ///< significant ones of `value`
+  bool strong{false};                                      ///< stands out
+  bool change{false};  ///< `value` is a change: "+1.2 W", "nothing"
+
+  Part(const char* words) : text(words) {}
+  Part(std::string words) : text(std::move(words)) {}
+  Part(Kind what, std::string of, double number = std::numeric_limits<double>::quiet_NaN(),
+       int shown = 4)
+      : kind(what), text(std::move(of)), value(number), digits(shown) {}
+};
+
+/// A sentence, a cell, a title.
+using Phrase = std::vector<Part>;
+
+/// Parts of a phrase.
+/// @{
+Part name_part(const std::string& name);
+Part a_name_part(const std::string& name);
+Part limit_part(const std::string& text);
+Part value_part(double value, const std::string& unit, int digits = 4);
+Part share_part(double share, int digits = 4);
+Part strong(Part part);
+Part change(Part part);
+/// @}
+
+/// How names, limits and units are written.
+enum class Writing : unsigned char {
+  typed,  ///< as in files: stall_torque >= 800 mN.m
+  read,   ///< as in books: stall torque ≥ 800 mN·m
+  page,   ///< as in books, without a line break between a number and its unit
+};
+
+std::string written(const Part& part, Writing writing);
+std::string written(const Phrase& phrase, Writing writing);
+
+/// Cells under their heads. The first column names the row.
+struct Table {
+  std::string name;  ///< of the file that it is saved to
+  std::vector<Phrase> heads;
+  std::vector<std::vector<Phrase>> rows;
+};
+
+/// Numbers of a chart.
+struct Numbers {
+  /// Where they stand in summary.json: "robust/densities/0/motors", "robust/price_over_yield/*/yield". A page takes
+  /// them from there. Empty: they stand nowhere else.
+  std::string where{};
+  std::vector<double> values{};  ///< SI
+};
+
+/// How a series is drawn.
+enum class Stroke : unsigned char {
+  line,     ///< with dots at its points
+  outline,  ///< over bins: x has one more than y
+  bars,     ///< likewise; those whose middle lies outside the chart's window are of another colour
+};
+
+struct Series {
+  std::string name{};
+  Stroke stroke{Stroke::line};
+  Numbers x{}, y{};
+};
+
+struct Axis {
+  Phrase name{};
+  std::string unit{};                                    ///< SI; "%" for a share
+  bool zero{false};                                      ///< zero belongs to it
+  double low{std::numeric_limits<double>::quiet_NaN()};  ///< ends; NaN: those of the values
+  double high{std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// A line across a chart at a value of the horizontal axis.
+struct Guide {
+  double at;
+  Phrase text{};
+};
+
+/// A point of a chart with a text beside it.
+struct Mark {
+  double x, y;
+  Phrase text{};
+};
+
+/// A picture of series over one axis.
+struct Chart {
+  std::string name{};  ///< of its file
+  Phrase title{};
+  Axis x{}, y{};
+  std::vector<Series> series{};
+  std::vector<Guide> guides{};
+  std::vector<Mark> marks{};
+  /// Values within keep the limit; infinite ends are open.
+  double least{-std::numeric_limits<double>::infinity()};
+  double most{std::numeric_limits<double>::infinity()};
+};
+
+/// A bar for each row of the section's first table. Columns by position; 0: none.
+struct Bars {
+  std::string name{};  ///< of the picture's file
+  Phrase title{}, axis{};
+  std::string unit{};        ///< SI; "%" for a share
+  std::size_t of{0};         ///< column of the lengths
+  std::size_t inner{0};      ///< of a part of the bar, which is dark
+  std::size_t low{0};        ///< of the lower ends of intervals
+  std::size_t high{0};       ///< of the upper ends
+  bool both_ways{false};     ///< negative ones reach to the left; otherwise the sign is left out
+  double full{0};            ///< value of a whole bar; 0: the longest
+  std::string of_name{};     ///< in the key, if there are inner parts
+  std::string inner_name{};  ///< likewise
+};
+
+/// One thing that is said about an answer.
+struct Section {
+  Phrase heading{};
+  Phrase note{};  ///< how to read what follows
+  std::vector<Chart> charts{};
+  Bars bars{};
+  std::vector<Phrase> sentences{};
+  std::vector<Table> tables{};
+  bool folded{false};  ///< a page shows the tables when asked for
+  bool wide{true};     ///< takes the whole width of a page
+  std::string hook{};  ///< what a page adds below the sentences, which needs its rows or its reader
+};
+
+/// The answer in a word and in two sentences, and how far it can be relied on.
+struct Headline {
+  enum class Look : unsigned char {
+    good,   ///< answered, and shown to be so
+    bad,    ///< no answer, or none that can be relied on
+    plain,  ///< nothing to judge
+  };
+  Look look{Look::plain};
+  std::string badge{};  ///< the answer in a word
+  std::vector<Phrase> sentences{};
+  std::vector<Phrase> remarks{};  ///< one thing each, below the sentences
+  std::string title{};            ///< what was asked: "optimization of ring-60"
+};
+
+Headline headline(const StudyResult& result);
+
+/// What is said about an answer below its headline, in this order.
+std::vector<Section> sections(const StudyResult& result);
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "telling/goal_parts.hpp"
+#include "telling/renderers.hpp"
+
+namespace twum::studies::telling {
+namespace {
+
+// Letters that Markdown would take as markup.
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    if (std::string_view("\\`*_[]<>|#").find(letter) != std::string_view::npos) safe += '\\';
+    safe += letter;
+  }
+  return safe;
+}
+
+std::string row_of(const std::vector<Phrase>& row) {
+  std::string text = "|";
+  for (const Phrase& cell : row) text += " " + markdown(cell) + " |";
+  return text + "\n";
+}
+
+std::string table_of(const Table& table) {
+  std::string text = row_of(table.heads) + "|";
+  for (std::size_t i = 0; i < table.heads.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
+  text += "\n";
+  for (const std::vector<Phrase>& row : table.rows) text += row_of(row);
+  return text;
+}
+
+}  // namespace
+
+std::string markdown(const Phrase& phrase) {
+  std::string text;
+  for (const Part& part : phrase) {
+    const std::string words = escaped(written(part, Writing::read));
+    text += part.strong ? "**" + words + "**" : words;
+  }
+  return text;
+}
+
+std::string markdown(const Headline& headline) {
+  std::string text = "**" + escaped(headline.badge) + "**\n";
+  for (const Phrase& phrase : headline.sentences)
+    text += "\n" + markdown(capitalized(phrase)) + "\n";
+  if (!headline.remarks.empty()) text += "\n";
+  for (const Phrase& phrase : headline.remarks) text += "- " + markdown(phrase) + "\n";
+  return text;
+}
+
+std::string markdown(const std::vector<Section>& sections) {
+  std::string text;
+  for (const Section& section : sections) {
+    if (section.sentences.empty() && section.tables.empty()) continue;
+    text += "\n## " + markdown(capitalized(section.heading)) + "\n";
+    if (!section.note.empty()) text += "\n" + markdown(section.note) + "\n";
+    for (const Phrase& phrase : section.sentences)
+      text += "\n" + markdown(capitalized(phrase)) + "\n";
+    for (const Table& table : section.tables) text += "\n" + table_of(table);
+  }
+  return text;
+}
+
+}  // namespace twum::studies::telling

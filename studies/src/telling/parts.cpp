@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/telling.hpp>
+
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/motors/plain_name.hpp>
+#include <twum/motors/statistic.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace twum::studies::telling {
+namespace {
+
+constexpr const char* kNoBreak = "\u00a0";
+
+// Without an exponent where the number is short without one: 290, not 2.9e+02.
+std::string short_number(double value, int digits) {
+  const std::string text = rounded_text(value, digits);
+  const double size = std::fabs(value);
+  const auto again = parse_number(text);
+  return again && text.find('e') != std::string::npos && size >= 1e-4 && size < 1e7
+             ? number_text(*again)
+             : text;
+}
+
+std::string with_unit(const std::string& number, const std::string& unit, Writing writing) {
+  if (unit.empty()) return number;
+  return number + (writing == Writing::page ? kNoBreak : " ") +
+         (writing == Writing::typed ? unit : printed_unit(unit));
+}
+
+// Of a share near one, what is missing has two digits: 99.9985 %.
+int share_digits(double share, int digits) {
+  constexpr int kMost = 12;  // as many as are not rounding
+  if (share > 0.9 && share < 1)
+    digits = std::max(digits, 2 + static_cast<int>(std::floor(-std::log10(1 - share))));
+  return std::min(digits, kMost);
+}
+
+std::string written_share(double share, int digits, Writing writing) {
+  if (!std::isfinite(share)) return "-";
+  return with_unit(short_number(100 * share, share_digits(share, digits)), "%", writing);
+}
+
+std::string written_value(double value, const std::string& si_unit, int digits, Writing writing) {
+  if (!std::isfinite(value)) return "-";
+  const DisplayUnit unit = display_unit(value, si_unit);
+  return with_unit(short_number(value / unit.divisor, digits), unit.text, writing);
+}
+
+// "+1.2 W", "-3 %", "nothing"
+std::string written_number(const Part& part, Writing writing) {
+  if (part.change && part.value == 0) return "nothing";
+  return (part.change && part.value > 0 ? "+" : "") +
+         (part.kind == Part::Kind::share
+              ? written_share(part.value, part.digits, writing)
+              : written_value(part.value, part.text, part.digits, writing));
+}
+
+// Signs that a keyboard does not have.
+std::string typed_words(std::string text) {
+  for (const auto& [read, typed] :
+       {std::pair{"≥", ">="}, std::pair{"≤", "<="}, std::pair{"±", "+-"}})
+    for (std::size_t at = text.find(read); at != std::string::npos; at = text.find(read))
+      text.replace(at, std::string_view(read).size(), typed);
+  return text;
+}
+
+std::string read_limit(const std::string& text, Writing writing);
+
+std::string read_statistic(const StatisticRequest& statistic, Writing writing) {
+  const auto of = [&] { return written(name_part(statistic.metric.text), writing); };
+  switch (statistic.kind) {
+    case StatisticRequest::Kind::mean: return "mean " + of();
+    case StatisticRequest::Kind::sd: return "standard deviation of the " + of();
+    case StatisticRequest::Kind::quantile:
+      return written_share(statistic.probability, 3, writing) + " quantile of the " + of();
+    case StatisticRequest::Kind::probability:
+      return "probability of " + read_limit(statistic.limit->text, writing);
+    case StatisticRequest::Kind::yield: return "yield";
+  }
+  return "yield";
+}
+
+// "torque at 80 rpm" of a metric at a point, whose unit is as typed in the file.
+std::string read_request(const MetricRequest& request, const std::string& metric, Writing writing) {
+  const std::string name = plain_name(metric);
+  const auto at = [&](double value, const char* unit) {
+    return " " + written_value(value, unit, 4, writing);
+  };
+  switch (request.argument) {
+    case Argument::torque: return name + at(request.at, "N.m");
+    case Argument::speed: return name + at(request.at, "rad/s");
+    case Argument::both: return name + at(request.torque, "N.m") + "," + at(request.at, "rad/s");
+    case Argument::none:
+    case Argument::speed_or_torque: break;
+  }
+  const bool counted = metric == "efficiency" || metric == "max_efficiency";
+  return name + (counted ? " (stator loss counted)" : "");
+}
+
+std::string read_name(const std::string& name, Writing writing) {
+  try {
+    if (is_statistic(name)) return read_statistic(parse_statistic(name), writing);
+    const MetricExpression expression = parse_metric(name);
+    if (const MetricRequest* request = expression.request())
+      return read_request(*request, std::string(info(request->metric).name), writing);
+  } catch (const ValueError&) {
+    return plain_name(name);  // a choice, such as the lining
+  }
+  return plain_name(name);  // a parameter or a formula
+}
+
+std::string with_article(const std::string& words) {
+  return (std::string_view("aeioAEIO").find(words.front()) == std::string_view::npos ? "a "
+                                                                                     : "an ") +
+         words;
+}
+
+std::string between(const std::string& name, const std::string& unit, double lower, double upper,
+                    Writing writing) {
+  const auto end = [&](double value) {
+    return unit == "%" ? written_share(value, 4, writing) : written_value(value, unit, 4, writing);
+  };
+  if (!std::isfinite(lower)) return name + " ≤ " + end(upper);
+  if (!std::isfinite(upper)) return name + " ≥ " + end(lower);
+  return end(lower) + " ≤ " + name + " ≤ " + end(upper);
+}
+
+std::string read_motor_limit(const MotorLimit& limit, Writing writing) {
+  if (limit.sides.empty())
+    return between(read_name(limit.metric.text, writing), limit.metric.unit(), limit.lower,
+                   limit.upper, writing);
+  std::string text;
+  for (const MetricExpression& side : limit.sides)
+    text += (text.empty()                 ? ""
+             : std::isfinite(limit.lower) ? " ≥ "
+                                          : " ≤ ") +
+            read_name(side.text, writing);
+  return text;
+}
+
+std::string read_statistic_limit(const StatisticLimit& limit, Writing writing) {
+  using Kind = StatisticRequest::Kind;
+  const StatisticRequest& statistic = limit.statistic;
+  const bool share = statistic.kind == Kind::yield || statistic.kind == Kind::probability;
+  return between(read_statistic(statistic, writing), share ? "%" : statistic.unit(), limit.lower,
+                 limit.upper, writing);
+}
+
+std::string read_limit(const std::string& text, Writing writing) {
+  const std::size_t end = text.rfind(')');
+  const std::string outside = end == std::string::npos ? text : text.substr(end);
+  try {
+    if (outside.find_first_of("<>=") == std::string::npos && is_statistic(text))
+      return read_name(text, writing);
+    return is_statistic(text) ? read_statistic_limit(parse_statistic_limit(text), writing)
+                              : read_motor_limit(parse_limit(text), writing);
+  } catch (const ValueError&) {
+    return plain_limit(text);
+  }
+}
+
+}  // namespace
+
+Part name_part(const std::string& name) { return {Part::Kind::name, name}; }
+Part a_name_part(const std::string& name) { return {Part::Kind::a_name, name}; }
+Part limit_part(const std::string& text) { return {Part::Kind::limit, text}; }
+Part value_part(double value, const std::string& unit, int digits) {
+  return {Part::Kind::value, unit, value, digits};
+}
+Part share_part(double share, int digits) { return {Part::Kind::share, "%", share, digits}; }
+
+Part strong(Part part) {
+  part.strong = true;
+  return part;
+}
+
+Part change(Part part) {
+  part.change = true;
+  return part;
+}
+
+std::string written(const Part& part, Writing writing) {
+  const bool typed = writing == Writing::typed;
+  switch (part.kind) {
+    case Part::Kind::words: return typed ? typed_words(part.text) : part.text;
+    case Part::Kind::name: return typed ? part.text : read_name(part.text, writing);
+    case Part::Kind::a_name: return with_article(typed ? part.text : read_name(part.text, writing));
+    case Part::Kind::limit: return typed ? part.text : read_limit(part.text, writing);
+    case Part::Kind::value:
+    case Part::Kind::share: return written_number(part, writing);
+  }
+  return part.text;
+}
+
+std::string written(const Phrase& phrase, Writing writing) {
+  std::string text;
+  for (const Part& part : phrase) text += written(part, writing);
+  return text;
+}
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/standings.hpp"
+#include "results/search_words.hpp"
+#include "telling/goal_parts.hpp"
+#include "telling/tellings.hpp"
+
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+#include <twum/motors/motor_limit.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies::telling {
+namespace {
+
+using Look = Headline::Look;
+
+double goal_of(const DesignReport& report, const Goal& goal) {
+  const double value = goal_value(report, goal);
+  return std::isnan(value) ? value_of(report.design, goal.metric) : value;
+}
+
+double before_of(const OptimizeResult& answer) {
+  for (const auto* values :
+       {&answer.before_metrics, &answer.before_design, &answer.before_statistics})
+    if (const double value = value_of(*values, answer.goal.metric); !std::isnan(value))
+      return value;
+  return std::nan("");
+}
+
+// "preload ≤ 300 N"
+Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit) {
+  return {name_part(name), at_least ? " ≥ " : " ≤ ", value_part(limit, unit)};
+}
+
+bool is_limit(const std::string& text) {
+  try {
+    parse_limit(text);
+    return true;
+  } catch (const ValueError&) {
+    return false;  // one that the others imply
+  }
+}
+
+Phrase standing_name(const Json& standing) {
+  const bool at_least = standing["side"] == "at least";
+  if (standing.contains("variable")) {
+    Phrase phrase = end_phrase(standing["variable"], at_least, standing["limit"], standing["unit"]);
+    append(phrase, {", the end of its range"});
+    return phrase;
+  }
+  const std::string text = standing["text"];
+  if (is_limit(text)) return {limit_part(text)};
+  Phrase phrase = end_phrase(standing["metric"], at_least, standing["limit"], standing["unit"]);
+  append(phrase, {", which the others imply"});
+  return phrase;
+}
+
+// What moving a limit by 1 % brings.
+Phrase holder_phrase(const Json& standing, const Goal& goal, double now) {
+  Phrase phrase = standing_name(standing);
+  for (Part& part : phrase) part.strong = true;
+  const Json& by = standing["changes"][0];
+  if (by.is_null() || by == 0.0) {
+    append(phrase, {": it is met, but moving it by 1 % changes nothing to first order."});
+    return phrase;
+  }
+  // One per cent of nothing is nothing: a limit at 0 is moved by as much as its scale says.
+  append(phrase, {standing["limit"] == 0.0 ? ": moved to " : ": 1 % looser, at ",
+                  value_part(standing["moved"], standing["unit"]), ", changes ",
+                  name_part(goal.metric), " by ", strong(change(goal_part(goal, by, 3)))});
+  if (now != 0 && std::isfinite(now))
+    append(phrase, {" (", change(share_part(by.get<double>() / std::fabs(now))), ")"});
+  append(phrase, {"."});
+  return phrase;
+}
+
+// What binds most, or a whole number at an end of its range.
+Phrase stop_sentence(const OptimizeResult& answer) {
+  Phrase phrase{"What stops it most: "};
+  for (const Json& standing : standings_json(answer.best, {answer.goal})) {
+    if (standing["state"] != "binds") continue;
+    append(phrase, holder_phrase(standing, answer.goal, goal_of(answer.best, answer.goal)));
+    return phrase;
+  }
+  if (answer.whole_ends.empty())
+    return {"No limit stops it: it is the best design within the ranges."};
+  const BoundState& end = answer.whole_ends.front();
+  append(phrase, end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
+  append(phrase, {", the end of its range: whole numbers have no slope. Try a wider range."});
+  return phrase;
+}
+
+Phrase best_sentence(const OptimizeResult& answer) {
+  const Goal& goal = answer.goal;
+  const double now = goal_of(answer.best, goal), before = before_of(answer);
+  Phrase phrase{"The best design found has ", a_name_part(goal.metric), " of ",
+                strong(goal_part(goal, now))};
+  if (!std::isnan(before)) append(phrase, {", against ", goal_part(goal, before), " before"});
+  if (!std::isnan(before) && before != 0)
+    append(phrase, {" (", change(share_part(now / before - 1, 3)), ")"});
+  append(phrase, {"."});
+  return phrase;
+}
+
+std::string choices(const std::vector<ChosenSet>& choice) {
+  return choice.empty() ? "" : ", with " + choice_words(choice);
+}
+
+// A limit that cannot be kept even alone, its best value, and the ends of ranges where that is.
+Phrase impossible_phrase(const ImpossibleState& limit, const std::vector<RangeState>& ranges) {
+  Phrase phrase{" ",
+                limit_part(limit.text),
+                " cannot be reached: the ",
+                limit.at_least ? "most" : "least",
+                " found within the ranges is ",
+                value_part(limit.best, limit.unit)};
+  for (std::size_t k = 0; k < limit.ends.size(); ++k) {
+    const RangeState& end = ranges[limit.ends[k]];
+    append(phrase, {k == 0 ? ", at " : " and "});
+    append(phrase, end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
+  }
+  append(phrase, {choices(limit.choice) + "."});
+  return phrase;
+}
+
+// What is at fault: limits impossible by themselves first, then those that exclude each other.
+Phrase cause_sentence(const Explanation& told) {
+  Phrase phrase{strong("No design keeps every limit.")};
+  std::vector<Part> group;
+  for (const std::string& text : told.conflict)
+    if (std::ranges::find(told.impossible, text, &ImpossibleState::text) == told.impossible.end())
+      group.push_back(limit_part(text));
+  for (const ImpossibleState& limit : told.impossible)
+    append(phrase, impossible_phrase(limit, told.ranges));
+  if (group.size() == 1) append(phrase, {" ", group.front(), " cannot be reached."});
+  if (group.size() > 1) {
+    append(phrase, {told.impossible.empty() ? " These cannot hold together: "
+                                            : " The others exclude each other as well: "});
+    append(phrase, listed(group, "; "));
+    append(phrase, {"."});
+  }
+  if (!told.choice.empty())
+    append(phrase, {" No combination of the choices keeps all limits; " +
+                    choice_words(told.choice) + " comes nearest."});
+  return phrase;
+}
+
+// The least that would make it possible.
+Phrase cure_sentence(const Explanation& told) {
+  std::vector<Phrase> least;
+  for (const RelaxationState& one : told.limits)
+    if (one.amount_alone > 0) {
+      const double loosened = one.limit + (one.at_least ? -1 : 1) * one.amount_alone;
+      least.push_back({limit_part(one.text), " by ", value_part(one.amount_alone, one.unit, 3),
+                       ", to ", value_part(loosened, one.unit, 3)});
+    }
+  for (const RangeState& end : told.ranges)
+    if (!std::isnan(end.limit_alone)) {
+      least.push_back({"the range of "});
+      append(least.back(), end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
+      append(least.back(), {", to ", value_part(end.limit_alone, end.variable.unit, 3)});
+    }
+  if (least.empty())
+    return {"Loosening a single limit is not enough; the table below says what would be."};
+  Phrase phrase{least.size() == 1 ? "It would be possible with this limit loosened: "
+                                  : "It would be possible with one of these limits loosened: "};
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    if (i > 0) append(phrase, {"; or "});
+    append(phrase, least[i]);
+  }
+  append(phrase, {"."});
+  return phrase;
+}
+
+// How many of the points are shown to be compromises.
+Phrase front_sentence(const ParetoResult& answer) {
+  const auto certified = static_cast<std::size_t>(std::ranges::count_if(
+      answer.front, [](const auto& point) { return point.report.certificate.passed; }));
+  const std::size_t count = answer.front.size();
+  const std::string best = " can be improved in one goal without loss in another.";
+  if (certified == count)
+    return {strong(std::to_string(count)),
+            (count == 1 ? " best compromise, which" : " best compromises: none of them") +
+                (count == 1 ? " cannot be improved in one goal without loss in another." : best)};
+  Phrase phrase{strong(std::to_string(count)), count == 1 ? " compromise" : " compromises"};
+  if (certified == 0)
+    append(phrase, {", not certified: it is not shown that a goal cannot be improved without loss "
+                    "in another."});
+  else
+    append(phrase, {", " + std::to_string(certified) + " of them certified: none of these" + best});
+  return phrase;
+}
+
+// What a step along the front costs, to the next points on both sides of the knee, to first order.
+Phrase trade_phrase(const ParetoResult& answer, std::size_t i) {
+  if (answer.goals.size() != 2)
+    return {" Away from it, a small gain in one goal costs much of the other."};
+  const Goal &a = answer.goals[0], &b = answer.goals[1];
+  const auto at = [&](std::size_t point, std::size_t goal) {
+    return answer.front[point].goals[goal];
+  };
+  const double step = 0.1 * std::fabs(at(i, 0));
+  const auto rate = [&](std::size_t k) {
+    return goal_part(b, std::fabs((at(k, 1) - at(i, 1)) / (at(k, 0) - at(i, 0))) * step, 3);
+  };
+  const auto word = [](bool more) { return more ? " more " : " less "; };
+  Phrase phrase{" There "};
+  if (i > 0)
+    append(phrase, {goal_part(a, step, 3), word(a.maximize), name_part(a.metric), " is paid with ",
+                    rate(i - 1), word(!b.maximize), name_part(b.metric)});
+  if (i > 0 && i + 1 < answer.front.size()) append(phrase, {"; "});
+  if (i + 1 < answer.front.size())
+    append(phrase, {goal_part(a, step, 3), word(!a.maximize), name_part(a.metric), " brings ",
+                    rate(i + 1), word(b.maximize), name_part(b.metric)});
+  append(phrase, {", to first order."});
+  return phrase;
+}
+
+Phrase knee_sentence(const ParetoResult& answer) {
+  if (answer.has_knee()) {
+    Phrase phrase{"The knee has "};
+    append(phrase, point_phrase(answer, answer.knee));
+    append(phrase, {"."});
+    append(phrase, trade_phrase(answer, answer.knee));
+    return phrase;
+  }
+  Phrase phrase{"The front has no knee, because it bends the other way. It runs from "};
+  append(phrase, point_phrase(answer, answer.ends.front()));
+  append(phrase, {" to "});
+  append(phrase, point_phrase(answer, answer.ends.back()));
+  append(phrase, {"."});
+  return phrase;
+}
+
+Headline no_front(const ParetoResult& answer) {
+  if (!answer.largest_yield)
+    return {Look::bad, "", {{strong("No point of the front was found.")}}, {}};
+  Phrase second{"At the design of the largest one "};
+  append(second, yield_phrase(*answer.largest_yield));
+  append(second, {" Tighten a tolerance or loosen a limit."});
+  return {Look::bad, "", {{strong("The wanted yield cannot be reached.")}, second}, {}};
+}
+
+}  // namespace
+
+Phrase point_phrase(const ParetoResult& answer, std::size_t i) {
+  Phrase phrase;
+  for (std::size_t k = 0; k < answer.goals.size(); ++k) {
+    if (k > 0) append(phrase, {" with "});
+    append(phrase, {strong(name_part(answer.goals[k].metric)), strong(" "),
+                    strong(goal_part(answer.goals[k], answer.front[i].goals[k], 3))});
+  }
+  return phrase;
+}
+
+Headline relaxation_headline(const Explanation& explanation) {
+  return {Look::bad, "", {cause_sentence(explanation), cure_sentence(explanation)}, {}};
+}
+
+Headline headline_of(const OptimizeResult& answer, const StudyResult& result) {
+  if (!answer.found) return {Look::bad, "", {{strong("No design could be evaluated.")}}, {}};
+  if (!answer.explanation.empty()) return relaxation_headline(answer.explanation);
+  const Phrase second = answer.robust ? robust_sentence(*answer.robust) : stop_sentence(answer);
+  return {result.outcome == "optimal" ? Look::good : Look::bad,
+          "",
+          {best_sentence(answer), second},
+          {}};
+}
+
+Headline headline_of(const ParetoResult& answer, const StudyResult& result) {
+  if (!answer.explanation.empty()) return relaxation_headline(answer.explanation);
+  if (answer.front.empty()) return no_front(answer);
+  return {result.outcome == "optimal" ? Look::good : Look::bad,
+          "",
+          {front_sentence(answer), knee_sentence(answer)},
+          {}};
+}
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/telling.hpp>
+
+#include <vector>
+
+/// The parts of a presentation, by kind of answer; internal.
+namespace twum::studies::telling {
+
+/// Look and sentences of a headline, by kind of answer.
+/// @{
+Headline headline_of(const CurveResult& answer, const StudyResult& result);
+Headline headline_of(const SweepResult& answer, const StudyResult& result);
+Headline headline_of(const SensitivityResult& answer, const StudyResult& result);
+Headline headline_of(const OptimizeResult& answer, const StudyResult& result);
+Headline headline_of(const ParetoResult& answer, const StudyResult& result);
+Headline headline_of(const UncertaintyResult& answer, const StudyResult& result);
+Headline headline_of(const CalibrateResult& answer, const StudyResult& result);
+Headline headline_of(const FrequencyResult& answer, const StudyResult& result);
+/// @}
+
+/// The headline where no design keeps every limit: what is at fault, and the least that would make it possible.
+Headline relaxation_headline(const Explanation& explanation);
+
+/// "peak power 20 W with wear intensity at 80 rpm 6.4 kW/m²": a point of a front by its goals.
+Phrase point_phrase(const ParetoResult& answer, std::size_t point);
+
+/// "amplitude 1.6 µm, preload 160 N"
+Phrase design_phrase(const SweepResult& answer, const SweepResult::Design& design);
+
+/// What is said below the headline, by kind of answer.
+/// @{
+std::vector<Section> sections_of(const OptimizeResult& answer);
+std::vector<Section> sections_of(const SweepResult& answer);
+std::vector<Section> sections_of(const SensitivityResult& answer);
+std::vector<Section> sections_of(const UncertaintyResult& answer);
+/// @}
+
+/// How many of the motors keep the limits, or that the wanted share cannot be reached.
+Phrase yield_phrase(const RobustYield& yield);
+/// The sentence of a headline: the first yield, or the largest where the wanted one cannot be reached.
+Phrase robust_sentence(const RobustReport& report);
+/// What tolerances do to a search.
+std::vector<Section> robust_sections(const RobustReport& report, const Goal& goal);
+
+}  // namespace twum::studies::telling
