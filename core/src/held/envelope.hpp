@@ -8,7 +8,7 @@ namespace twum::core {
 /// T_p is held to this share where a search needs a wave beyond it.
 inline constexpr double kNearlyAll = 1 - 1e-4;
 
-/// What a drive is short of where it just holds a torque at a speed.
+/// What a drive is short of where it just holds a torque at a speed (Y4.1, Y4.2).
 enum class DriveEnd : unsigned char {
   friction,  ///< the contact transmits no more
   voltage,  ///< the voltage, at the frequency that needs least of it or that of a drive that follows by voltage

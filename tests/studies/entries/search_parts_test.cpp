@@ -230,7 +230,7 @@ TEST_CASE("loads that metrics are asked at are limits, each once", "[studies][pr
       CHECK(implied_limits(again).size() == loads.size());
     }
   }
-  CHECK_THAT(implied_limits(problem)[0].name,
+  CHECK_THAT(implied_limits(problem)[0].limit.text,
              StartsWith("max_torque >= 0.1 N.m for speed_at(0.1 N.m)"));
 }
 
