@@ -47,7 +47,7 @@ class Results(program.Case):
         self.ok("report", folder, "--format", "md", "-o", self.folder / "answer.md")
         self.assertEqual((self.folder / "answer.md").read_text(), said)
         self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, before)
-        self.assertIn(b"-o belongs to --format md", self.refused("report", folder, "-o", self.folder / "page.html"))
+        self.assertIn("-o belongs to --format md", self.refused("report", folder, "-o", self.folder / "page.html"))
 
     def test_samples_are_that_many(self):
         said = self.ok("verify", self.run_study("sweep", SWEEP), "--samples", "2", "--seed", "9")

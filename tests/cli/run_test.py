@@ -141,7 +141,7 @@ class Directory(Run):
         self.assertEqual(found["best"]["metrics"]["plateau_speed"], 0)
         self.assertIn("of 512 designs sampled over the whole range", text)
         # At no speed at all nothing changes the goal, so its curvature decides nothing.
-        self.assertTrue(text.startswith("local_but_beaten (optimize) of m: first order only\n"))
+        self.assertTrue(text.startswith("local_but_beaten (optimize) of m: optimum to first order only\n"))
         self.assertEqual(found["evaluations"], len((self.folder / "with/results.csv").read_text().splitlines()) - 1)
         self.ok("verify", self.folder / "with")
 

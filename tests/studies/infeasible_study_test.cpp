@@ -57,7 +57,7 @@ TEST_CASE("a duty beyond friction is the cause by itself, not together with the 
   CHECK(end.limit == 300);
   CHECK_THAT(s.text(),
              Contains("torque_at(100 rpm) >= 5 N.m cannot be reached: the most found within the "
-                      "ranges is 1.59 N.m, at preload at most 300 N.\n"));
+                      "ranges is 1.59 N.m, at preload <= 300 N.\n"));
   // Moving the duty alone makes it possible, moving the wear limit alone does not.
   CHECK(duty_study("0.5 N.m", "5 kW/m^2").answer.outcome == "optimal");
   CHECK(duty_study("5 N.m", "1 GW/m^2").answer.outcome == "infeasible");

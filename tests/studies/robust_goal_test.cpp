@@ -49,7 +49,7 @@ TEST_CASE("the largest yield of a study lies at the geometric mean of its ends",
   CHECK(json["robust"]["target"].is_null());
   CHECK(json["robust"]["yield"]["verdict"].is_null());
   CHECK(json["best"]["statistics"]["yield"] == json["robust"]["yield"]["value"]);
-  CHECK(s.text().find("largest yield: 74.") == 0);
+  CHECK(s.text().find("The best design found has a yield of 74.") == 0);
 }
 
 TEST_CASE("the largest probability of one limit leaves the others to the design",
