@@ -178,7 +178,7 @@ class Motors(Results):
         spread = self.write("spread.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: uncertainty\n  start: best\n"
                                            "  variables: {preload: 3 %}\n  metrics: [stall_torque]\n  samples: 100\n")
         said = self.ok("run", spread, "-o", self.folder / "spread")
-        self.assertIn("varied: the design of 'best'", said)
+        self.assertIn("Varied: the design of 'best'", said)
         nominal = json.loads((self.folder / "spread/summary.json").read_text())["nominal"]["design"]
         self.assertEqual(nominal, {name: found[name] for name in nominal})
         self.assertEqual(set(nominal), set(found))

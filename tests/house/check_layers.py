@@ -21,13 +21,14 @@ FOLDERS = {
     "optim": ["sampling", "problem", "solvers", "certificate", "search", "fronts", "fit", "robust"],
     "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
     "studies/motors": ["materials", "metrics", "file", "tables"],
-    "studies": ["statistics", "problem", "entries", "results", "kinds/rows", "kinds/sample", "kinds/sensitivity",
+    "studies": ["statistics", "problem", "entries", "results", "telling", "kinds/rows", "kinds/sample", "kinds/sensitivity",
                 "kinds/calibrate", "kinds/robust", "kinds/search", "stored", "report", "datasheet", "run"],
 }
 # Public headers whose functions and classes a source of another name defines, and those of types alone, in the lowest folder that
 # needs them.
 FOLDER_OF_HEADER = {
     "twum/optim/options.hpp": "problem",
+    "twum/studies/telling.hpp": "telling",
     "twum/optim/robust.hpp": "robust",
     "twum/optim/robust_problem.hpp": "robust",
     "twum/io/column.hpp": "store",

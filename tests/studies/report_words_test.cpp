@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a report page is told of names and limits, so that it takes no text apart and judges nothing itself.
 #include "report/names.hpp"
-#include "report/standings.hpp"
+#include "results/standings.hpp"
 #include "support/constants.hpp"
 
 #include <catch2/catch.hpp>

@@ -220,7 +220,8 @@ MetricDerivative HeldMetrics::of_envelope(const MetricRequest& request, const Me
   if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
   const Row torque = slopes_at_end(design_, at.end, rows).followed(rows.torque);
   MetricDerivative result{value, torque.in, smoothness_of(rows)};
-  if (request.metric == Metric::held_speed_limit_at)  // the torque at the end of the drive stays (Y4.3)
+  if (request.metric ==
+      Metric::held_speed_limit_at)  // the torque at the end of the drive stays (Y4.3)
     for (double& d : result.gradient) d /= -torque.in_speed;
   return result;
 }

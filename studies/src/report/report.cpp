@@ -8,10 +8,10 @@
 #include "report/names.hpp"
 #include "report/page_parts.hpp"
 #include "report/rows.hpp"
-#include "report/standings.hpp"
 #include "report/tables.hpp"
 #include "results/answers.hpp"
 #include "results/search_words.hpp"
+#include "results/standings.hpp"
 #include "stored/stored_study.hpp"
 #include "telling/renderers.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/standings.hpp"
 #include "results/search_words.hpp"
+#include "results/standings.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/tellings.hpp"
 

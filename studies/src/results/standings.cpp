@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/standings.hpp"
+#include "results/standings.hpp"
 
 #include <algorithm>
 #include <cmath>
