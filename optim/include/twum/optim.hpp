@@ -42,5 +42,6 @@
 #include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
 #include <twum/optim/solve.hpp>
+#include <twum/optim/solver_process.hpp>
 #include <twum/optim/solvers.hpp>
 #include <twum/optim/yield_estimate.hpp>
