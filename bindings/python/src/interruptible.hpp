@@ -67,6 +67,7 @@ class Watch {
 /// is thrown. SystemExit once the interpreter ends.
 template <typename Work, typename Poll>
 auto run_interruptible(RunningCall& call, Work work, Poll poll) {
+  if (!RunningCall::closing()) poll();  // a stop that is asked for already counts
   auto result = std::async(std::launch::async, [&] { return work(call.stop().get_token()); });
   const auto is_ready = [&] {
     const py::gil_scoped_release release;

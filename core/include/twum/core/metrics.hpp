@@ -98,6 +98,7 @@ MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction = false);
+/// The same of one request.
 MetricDerivative differentiate(const Motor& motor, const MetricRequest& request,
                                bool fixed_static_friction = false);
 

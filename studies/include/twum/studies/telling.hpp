@@ -10,6 +10,7 @@
 
 /// What is said about an answer, before anybody decides how it looks. Terminal, page, Markdown and pictures are
 /// renderers of this: what is said, what is marked and how many digits a number has is decided here and nowhere else.
+/// @cond  Parts of the program itself, its pages and pictures; no promise to other programs.
 namespace twum::studies::telling {
 
 /// A part of a sentence or of a cell.
@@ -82,12 +83,14 @@ enum class Stroke : unsigned char {
   bars,     ///< likewise; those whose middle lies outside the chart's window are of another colour
 };
 
+/// A line or a row of marks of a chart.
 struct Series {
   std::string name{};
   Stroke stroke{Stroke::line};
   Numbers x{}, y{};
 };
 
+/// An axis of a chart.
 struct Axis {
   Phrase name{};
   std::string unit{};                                    ///< SI; "%" for a share
@@ -169,3 +172,4 @@ Headline headline(const StudyResult& result);
 std::vector<Section> sections(const StudyResult& result);
 
 }  // namespace twum::studies::telling
+/// @endcond
