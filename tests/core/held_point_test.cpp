@@ -8,6 +8,7 @@
 
 #include "support/driven_motors.hpp"
 #include "support/metric_requests.hpp"
+#include "support/plate_motors.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -360,6 +361,58 @@ TEST_CASE("beyond the drive a metric is that of the wave that more voltage would
   };
   CHECK(power(1.2 * largest).value == Approx((1 - 1e-4) * largest * speed).epsilon(1e-12));
   CHECK(power(-1.2 * largest).value == Approx(-(1 - 1e-4) * largest * speed).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "a drive without voltage or amplitude, and a contact without friction or preload, hold nothing",
+    "[core][held][limit]") {
+  MotorDesign by_voltage = test::driven_motor();
+  by_voltage.stator.control = DriveControl::voltage;
+  const MetricRequest speed{Metric::held_speed_limit_at, Argument::torque, 0.5},
+      torque{Metric::held_torque_limit_at, Argument::speed, 9},
+      pressure{Metric::max_pressure_at, Argument::both, 9, 0.5},
+      reserve{Metric::torque_reserve_at, Argument::both, 9, 0.5};
+  for (const MotorDesign& design : {test::driven_motor(), by_voltage}) {
+    const Motor still(with(design, Parameter::voltage, 0));
+    for (const MetricRequest& request : {speed, torque, pressure})
+      CHECK(evaluate(still, request).status == MetricStatus::voltage_too_low);
+    CHECK(held_point(still.design(), 0.5, 9).status == HeldStatus::voltage_too_low);
+    CHECK(held_point(still.design(), 0.5, 9).needed > 0);
+  }
+  const Motor still(with(test::ring_motor(), Parameter::amplitude, 0));
+  for (const MetricRequest& request : {speed, torque, pressure})
+    CHECK(evaluate(still, request).status == MetricStatus::amplitude_too_low);
+  for (const Parameter p : {Parameter::preload, Parameter::kinetic_friction}) {
+    const Motor free(with(test::driven_motor(), p, 0));
+    for (const MetricRequest& request : {speed, torque, pressure, reserve})
+      CHECK(evaluate(free, request).status == MetricStatus::torque_out_of_reach);
+  }
+}
+
+TEST_CASE("derivatives of held metrics follow the geometry that gives the frequency (Y2.6, P5.1)",
+          "[core][held][derivative][plate]") {
+  MotorDesign design = test::plate_motor();
+  design.stator.voltage = 200;
+  for (const DriveControl control : {DriveControl::frequency, DriveControl::voltage}) {
+    design.stator.control = control;
+    const MetricRequest request{Metric::electrical_power_at, Argument::both, 6, 0.3};
+    const MetricDerivative d = differentiate(Motor(design), request);
+    CAPTURE(static_cast<int>(control), to_string(d.value.status));
+    REQUIRE(d.value.status == MetricStatus::ok);
+    for (const Parameter p : {Parameter::substrate_thickness, Parameter::ceramic_thickness,
+                              Parameter::substrate_density, Parameter::frequency_ratio}) {
+      const double x = get(design, p), h = 1e-4 * x;
+      const auto at = [&](double value) {
+        return evaluate(Motor(with(design, p, value)), request).value;
+      };
+      const double difference =
+          (8 * (at(x + h) - at(x - h)) - (at(x + 2 * h) - at(x - 2 * h))) / (12 * h);
+      CAPTURE(info(p).name);
+      // The fourth power of the step times the curvature, and the plate's frequency, which is found to 1e-11, over the step.
+      CHECK(std::fabs(d.gradient[index_of(p)] - difference) * x <=
+            1e-5 * (d.value.value + std::fabs(difference * x)));
+    }
+  }
 }
 
 TEST_CASE("derivatives beyond the drive agree with differences (Y5.3)",

@@ -74,6 +74,34 @@ TEST_CASE("with a drive that follows a limit on the pressure holds at every poin
     CHECK(value(s.optimum().best.metrics, text) > 0);
 }
 
+TEST_CASE("a duty that no drive can hold is told by the torque, and nothing of it can be loosened",
+          "[studies][size][infeasible][held]") {
+  const Search s(
+      study_of("elastic-layer", "",
+               "{kind: size, variables: {preload: {min: 40 N, max: 300 N}}, drive: follows, "
+               "duty: [{torque: 5 N.m, speed: 20 rpm}]}"));
+  CHECK(s.answer.outcome == "infeasible");
+  REQUIRE(s.optimum().explanation.impossible.size() == 1);
+  const ImpossibleState& told = s.optimum().explanation.impossible[0];
+  CHECK(told.text == "torque_reserve_at(5 N.m, 20 rpm) >= 1e-04");
+  const ElasticLayer exact{study_of("elastic-layer", "", "{kind: curve}").motor.design};
+  CHECK_THAT(told.best, WithinRel(1 - 5 / exact.plateau_torque(300), 1e-6));  // (Y5.1)
+  CHECK(s.optimum().explanation.limits.empty());
+}
+
+TEST_CASE("a duty at rest has no drive that follows, and says where it stands",
+          "[studies][size][held]") {
+  const auto duty = [](const char* drive) {
+    return study_of(
+        "elastic-layer", "",
+        std::string("{kind: size, variables: {preload: {min: 40 N, max: 300 N}}, drive: ") + drive +
+            ", duty: [{torque: 0.5 N.m, speed: 20 rpm}, {torque: 0.1 N.m, speed: 0 rpm}]}");
+  };
+  CHECK_NOTHROW(duty("fixed"));
+  CHECK_THROWS_WITH(duty("follows"),
+                    Catch::Contains("study.duty[1].speed: '0 rpm' beside 'drive: follows'"));
+}
+
 TEST_CASE(
     "a search beyond the end of the drive comes back to motors that hold the torque (Y5.2, Y5.3)",
     "[studies][optimize][held]") {

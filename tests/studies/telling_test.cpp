@@ -2,6 +2,7 @@
 // What is said about an answer, and how its renderers write it.
 #include "answer_support.hpp"
 
+#include "telling/renderers.hpp"
 #include "telling/tellings.hpp"
 
 #include <catch2/catch.hpp>
@@ -191,4 +192,11 @@ TEST_CASE("Markdown has what the terminal has, and no markup of the names", "[st
             std::count(line.begin(), line.end(), '|'));
     before = line;
   }
+}
+
+TEST_CASE("in Markdown neighbouring parts that stand out share one pair of marks",
+          "[studies][telling]") {
+  CHECK(markdown(Phrase{"a ", strong("b"), strong(" = 2"), " c"}) == "a **b = 2** c");
+  CHECK(markdown(Phrase{strong("a"), " b ", strong("c")}) == "**a** b **c**");
+  CHECK(markdown(Phrase{}).empty());
 }

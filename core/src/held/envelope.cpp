@@ -24,6 +24,8 @@ constexpr double kNextSpeed = 0.93;
 constexpr int kSpeeds = 160;
 // Doublings of the speed where nothing bounds it.
 constexpr int kDoublings = 40;
+// Where a drive that holds nothing is asked why [rad/s].
+constexpr double kAnySpeed = 1;
 // Bits of the corner's place.
 constexpr int kBits = 46;
 
@@ -130,7 +132,9 @@ Envelope::Corner Envelope::at_torque(double torque) const {
     return none;
   }
   const auto share_at = [&](double speed) { return reserve(torque, speed).share; };
-  double high = highest_speed(torque), at_high = share_at(high);
+  double high = highest_speed(torque);
+  if (!(high > 0)) return out_of_reach(torque, kAnySpeed);  // no voltage or amplitude at all
+  double at_high = share_at(high);
   for (int k = 0; k < kSpeeds; ++k) {
     const double low = kNextSpeed * high, at_low = share_at(low);
     if (at_low >= 0 && at_high < 0)

@@ -39,12 +39,14 @@ class Holding {
         speed_(speed),
         control_(control) {}
 
-  HeldPoint held() const { return found_with(waves_.drive()); }
-  // A drive without force ends at R = 0, where the least voltage is needed.
-  HeldPoint with_least_voltage() const { return found_with(0); }
+  HeldPoint held() const { return found(Sought::drive); }
+  HeldPoint with_least_voltage() const { return found(Sought::least_voltage); }
 
  private:
-  HeldPoint found_with(double drive) const {
+  // The wave of the drive's voltage (Y2.3), or that with R = 0.
+  enum class Sought : bool { drive, least_voltage };
+
+  HeldPoint found(Sought sought) const {
     const double torque = loaded_.torque(), most = loaded_.plateau();
     const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
     if (!transmitted && !waves_.has_static_excess())
@@ -54,21 +56,21 @@ class Holding {
       return lost ? without_wave(HeldStatus::no_periodic_state)
                   : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
-      if (const auto held = by_newton(loaded_.within(*ends), drive)) return *held;
+      if (const auto held = by_newton(loaded_.within(*ends), sought)) return *held;
     auto wave = loaded_.settled(*ends);
     if (!wave) return without_wave(HeldStatus::no_periodic_state);
-    return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), drive)
+    return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), sought)
                                                : told(*wave);
   }
 
-  // (Y2.1) and (Y2.3) together by Newton's method; without a drive (Y2.1) and R = 0. Nothing where that does not lead straight to
+  // (Y2.1) together with (Y2.3) or R = 0 by Newton's method. Nothing where that does not lead straight to
   // both, or the voltage is too low.
-  std::optional<HeldPoint> by_newton(LoadedWave w, double drive) const {
+  std::optional<HeldPoint> by_newton(LoadedWave w, Sought sought) const {
     double last = HUGE_VAL;
     for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
-      const double square = drive * drive - w.force.imaginary * w.force.imaginary;
-      if (drive > 0 && !(square > 0)) return {};
-      const double flank = drive > 0 ? std::sqrt(square) : 0;
+      const double square = flank_squared(w, sought);
+      if (sought == Sought::drive && !(square > 0)) return {};
+      const double flank = std::sqrt(square);
       const double slope = flank > 0 ? w.force.imaginary / flank : 0;
       const double gap = w.force.real + flank, missing = loaded_.torque() - w.torque;
       const double in_amplitude = w.in_amplitude.real - slope * w.in_amplitude.imaginary,
@@ -88,9 +90,9 @@ class Holding {
 
   // (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the
   // torque. Without enough voltage it leads to R = 0, where the least is needed.
-  HeldPoint at_frequency(LoadedWave w, double drive) const {
+  HeldPoint at_frequency(LoadedWave w, Sought sought) const {
     for (int i = 0; i < kHeldRules.most_tries; ++i) {
-      const double square = drive * drive - w.force.imaginary * w.force.imaginary;
+      const double square = flank_squared(w, sought);
       const double flank = square > 0 ? std::sqrt(square) : 0;
       const double follows = -w.torque_in_omega / w.torque_in_amplitude;  // dA / domega
       const double real_slope = w.in_omega.real + w.in_amplitude.real * follows,
@@ -104,8 +106,7 @@ class Holding {
       if (std::fabs(step) > room) step = std::copysign(room, step);
       if (std::fabs(step) <= kHeldRules.settled * w.omega) {
         HeldPoint found = told(w);
-        if (square < 0 && drive > 0)
-          found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
+        if (square < 0) found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
         return found;
       }
       auto next = loaded_.followed(w, w.omega + step);
@@ -116,6 +117,12 @@ class Holding {
       w = std::move(*next);
     }
     return without_wave(HeldStatus::not_converged);
+  }
+
+  // R^2 on the flank: (Theta u_0)^2 - I^2, negative where the voltage is too low for any frequency.
+  double flank_squared(const LoadedWave& w, Sought sought) const {
+    if (sought == Sought::least_voltage) return 0;
+    return waves_.drive() * waves_.drive() - w.force.imaginary * w.force.imaginary;
   }
 
   double rms_of(double force) const {

@@ -10,6 +10,8 @@
 #include <twum/core/parameters.hpp>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace twum::core {
 namespace {
@@ -75,14 +77,15 @@ WaveSlopes slopes_at_end(const MotorDesign& design, DriveEnd end, const WaveRows
   return file;
 }
 
-// A frequency that the file gives by its ratio to the resonance: f = ratio f_r.
-MetricDerivative in_file_parameters(const MotorDesign& design, MetricDerivative result) {
+// The frequency is that of the file, where it may follow from others: f = ratio f_r, and f_r from the geometry.
+MetricDerivative in_file_parameters(const MotorDesign& design, MetricDerivative result,
+                                    bool fixed) {
   auto& g = result.gradient;
-  if (!design.stator.frequency_ratio) return result;
-  double& share = g[index_of(Parameter::frequency)];
-  g[index_of(Parameter::frequency_ratio)] += share * get(design, Parameter::resonance_frequency);
-  g[index_of(Parameter::resonance_frequency)] += share * *design.stator.frequency_ratio;
-  share = 0;
+  const double share = std::exchange(g[index_of(Parameter::frequency)], 0.0);
+  if (share == 0) return result;
+  const auto moves = std::make_unique<ParameterJacobian>(parameter_jacobian(design, fixed));
+  for (std::size_t p = 0; p < kParameterCount; ++p)
+    g[p] += share * (*moves)[index_of(Parameter::frequency)][p];
   return result;
 }
 
@@ -121,6 +124,8 @@ double HeldMetrics::value(const MetricRequest& request) {
     case Metric::held_torque_limit_at: return corner(request).torque;
     case Metric::pull_out_margin_at: return corner(request).torque - request.torque;
     case Metric::torque_reserve_at:
+      if (!(envelope().largest_torque() > 0))
+        throw SearchFailure{MetricStatus::torque_out_of_reach};
       return 1 - std::fabs(request.torque) / envelope().largest_torque();  // (Y5.1)
     case Metric::drive_reserve_at: {
       const DriveReserve found =
@@ -177,7 +182,7 @@ MetricDerivative HeldMetrics::differentiate(const MetricRequest& request,
   }
   if (result.smoothness == Smoothness::undefined) return without_derivative(found);
   result.value = found;
-  return in_file_parameters(design_, result);
+  return in_file_parameters(design_, result, fixed_static_friction);
 }
 
 // T_p does not depend on the wave, so it is that of a motor with any.

@@ -16,7 +16,7 @@ void require_fit(const Problem& problem, const SolveOptions& options) {
   if (options.solver == "auto" || find_optimizer(options.solver).info.gradient)
     throw InputError("solver '" + options.solver +
                      "' needs derivatives, which this problem does not give; name one that needs "
-                     "none, such as 'nlopt:cobyla'");
+                     "none, such as 'nlopt:sbplx'");
   if (std::any_of(problem.variables.begin(), problem.variables.end(),
                   [](const Variable& v) { return v.integer; }))
     throw InputError("whole numbers need derivatives, which this problem does not give");

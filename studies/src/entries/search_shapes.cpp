@@ -249,6 +249,19 @@ Shape<ParetoStudy> ParetoStudy::shape() {
                     check_front);
 }
 
+// At rest friction holds a load without a wave, and no drive follows.
+bool check_size(SizeStudy& study, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* duty = given.right("duty");
+  for (std::size_t i = 0;
+       study.drive == DutyDrive::follows && duty != nullptr && i < study.duty.size(); ++i)
+    if (const YamlNode* speed = duty->items[i].find("speed");
+        !(study.duty[i].metric.request()->at > 0))
+      diagnostics.add(speed->mark, given.path("duty") + "[" + std::to_string(i) + "].speed",
+                      quoted(speed->scalar) + " beside 'drive: follows'",
+                      "expected a speed of more than 0 rpm");
+  return check_robust_search(study, given, diagnostics);
+}
+
 Shape<SizeStudy> SizeStudy::shape() {
   using S = SizeStudy;
   auto duty = list("operating points the motor must reach", duty_point());
@@ -270,7 +283,7 @@ Shape<SizeStudy> SizeStudy::shape() {
            wanted("what is minimized among the motors that carry the duty", false, "max_pressure"),
            &S::prefer),
        solver_field<S>(), start_field<S>()},
-      check_robust_search<S>);
+      check_size);
 }
 
 Shape<CalibrateStudy> CalibrateStudy::shape() {

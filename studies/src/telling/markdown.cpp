@@ -33,11 +33,13 @@ std::string table_of(const Table& table) {
 
 std::string markdown(const Phrase& phrase) {
   std::string text;
+  bool strong = false;  // neighbouring parts that stand out share one pair of marks
   for (const Part& part : phrase) {
-    const std::string words = escaped(written(part, Writing::read));
-    text += part.strong ? "**" + words + "**" : words;
+    if (part.strong != strong) text += "**";
+    strong = part.strong;
+    text += escaped(written(part, Writing::read));
   }
-  return text;
+  return strong ? text + "**" : text;
 }
 
 std::string markdown(const Headline& headline) {

@@ -199,6 +199,13 @@ std::vector<ChosenSet> DesignReporter::choice_of(std::span<const double> design)
   return choice;
 }
 
+// Nobody can loosen that a drive has to hold its duty.
+bool DesignReporter::is_of_the_drive(const MotorLimit& limit) const {
+  const bool implied = &limit - limits_.data() >= std::ssize(problem_.limits);
+  return implied && limit.metric.request() != nullptr &&
+         limit.metric.request()->argument == Argument::both;
+}
+
 const MotorLimit* DesignReporter::limit_named(const std::string& text) const {
   const auto at = std::find_if(limits_.begin(), limits_.end(),
                                [&](const MotorLimit& limit) { return limit.text == text; });
@@ -210,7 +217,8 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   told.conflict = infeasibility.conflict;
   told.choice = choice_of(infeasibility.design);
   for (const optim::Relaxation& r : infeasibility.relaxations) {
-    if (const MotorLimit* limit = limit_named(r.name))
+    const MotorLimit* limit = limit_named(r.name);
+    if (limit != nullptr && !is_of_the_drive(*limit))
       told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
                              r.side == optim::Side::lower, r.limit, r.amount, r.amount_alone});
   }

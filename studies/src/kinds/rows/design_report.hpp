@@ -36,6 +36,7 @@ class DesignReporter {
   std::vector<LimitState> limits(const MotorDesign& motor,
                                  const optim::Certificate& certificate) const;
   std::vector<BoundState> bounds(const optim::Certificate& certificate) const;
+  bool is_of_the_drive(const MotorLimit& limit) const;
   const MotorLimit* limit_named(const std::string& text) const;
   std::vector<ChosenSet> choice_of(std::span<const double> design) const;
 
