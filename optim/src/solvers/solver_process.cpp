@@ -17,8 +17,6 @@
 #include <ctime>
 #include <system_error>
 
-extern char** environ;  // NOLINT: POSIX declares it nowhere
-
 namespace twum::optim {
 namespace {
 
