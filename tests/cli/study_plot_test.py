@@ -115,7 +115,7 @@ class Pictures(program.Case):
         beyond = sum(not low <= p <= high for p in power)
         self.assertIn(f"optimize-ring-60: how the search went; {beyond} beyond the axis stand at its edge", pictures["search"].words())
         # The best is found early: the line ends as high as the highest green dot.
-        self.assertAlmostEqual(pictures["search"].lines[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
+        self.assertAlmostEqual(pictures["search"].pieces[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
 
     def test_curves_before_and_after_with_the_duty(self):
         pictures = self.drawn("size-05Nm-100rpm")
