@@ -207,8 +207,8 @@ TEST_CASE("a terminal shows the columns that are typed, and counts the rows that
     table.rows.push_back({{std::to_string(i)}, {value_part(i, "N")}, {"told above"}});
   section.tables = {table};
   const std::string text = terminal_text({section});
-  CHECK_THAT(text, Contains("\n20    20 N\nand 2 more rows, see the report\n") &&
-                       !Contains("told above"));
+  CHECK_THAT(
+      text, Contains("\n20    20 N\nand 2 more rows, see the report\n") && !Contains("told above"));
   CHECK_THAT(markdown({section}), Contains("\n| 22 | 22 N | told above |\n"));
 }
 
