@@ -60,7 +60,8 @@ struct Activity {
 /// the best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
   /// Every limit is kept, the design is stationary and complementary and, with one objective, no direction that the
-  /// limits allow improves it to second order.
+  /// limits allow improves it to second order. Values beside the design agree with the Jacobian (O5.1), unless the budget
+  /// does not allow the two evaluations.
   bool passed{false};
   /// The second order is decided too: the curvature is positive on the critical cone, or values rise along the one
   /// direction without. If passed without, the design is optimal to first order only.

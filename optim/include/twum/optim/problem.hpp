@@ -100,6 +100,11 @@ struct Problem {
 
   /// Number of values that the evaluator returns.
   std::size_t responses() const noexcept { return objectives.size() + constraints.size(); }
+  /// Name of the objective or constraint that a value belongs to.
+  const std::string& response_name(std::size_t response) const {
+    return response < objectives.size() ? objectives[response].name
+                                        : constraints.at(response - objectives.size()).name;
+  }
 };
 
 /// Checks that a problem can be solved at all.
