@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motors/expression.hpp>
 
+#include <twum/base/error.hpp>
 #include <twum/io/units.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
@@ -141,12 +142,7 @@ bool find_term(std::string_view text) {
 
 bool same(const MetricRequest& a, const MetricRequest& b) { return a == b; }
 
-bool same(const Term& a, const Term& b) {
-  if (a.index() != b.index()) return false;
-  const auto* request = std::get_if<MetricRequest>(&a);
-  return request != nullptr ? same(*request, std::get<MetricRequest>(b))
-                            : std::get<Parameter>(a) == std::get<Parameter>(b);
-}
+bool same(const Term& a, const Term& b) { return a == b; }
 
 // Place of an item in a list, to which it is added if it is new.
 template <typename T>
@@ -160,7 +156,8 @@ std::size_t place_in(std::vector<T>& list, const T& item) {
 
 std::string_view unit_of(const Term& term) {
   if (const auto* request = std::get_if<MetricRequest>(&term)) return info(request->metric).unit;
-  return info(std::get<Parameter>(term)).unit;
+  if (const auto* parameter = std::get_if<Parameter>(&term)) return info(*parameter).unit;
+  return std::get<std::shared_ptr<const OwnMetric>>(term)->unit;
 }
 
 // Cached, because the units library serves one thread at a time.
@@ -183,6 +180,71 @@ const Dimension& dimension_of(const Term& term) {
 std::string long_text(const Term& term, std::string_view reference) {
   const auto* parameter = std::get_if<Parameter>(&term);
   return std::string(parameter != nullptr ? info(*parameter).name : reference);
+}
+
+using OwnTerm = std::shared_ptr<const OwnMetric>;
+
+template <typename... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <typename... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+// NaN where the program has no answer.
+MetricValue own_value(const OwnMetric& own, const Motor& motor) {
+  try {
+    const double value = own.value(motor);
+    return {value, std::isfinite(value) ? MetricStatus::ok : MetricStatus::undefined};
+  } catch (const EvaluationError&) {
+    return {std::numeric_limits<double>::quiet_NaN(), MetricStatus::undefined};
+  }
+}
+
+MetricDerivative own_derivative(const OwnMetric& own, const Motor& motor,
+                                bool fixed_static_friction) {
+  MetricDerivative result;
+  result.value = own_value(own, motor);
+  result.smoothness = Smoothness::undefined;
+  result.gradient.fill(std::numeric_limits<double>::quiet_NaN());
+  if (result.value.status != MetricStatus::ok || !own.gradient) return result;
+  result.gradient = own.gradient(motor);
+  result.smoothness = Smoothness::smooth;
+  if (!fixed_static_friction) return result;
+  const Friction& f = motor.design().friction;
+  if (f.kinetic > 0)
+    result.gradient[index_of(Parameter::kinetic_friction)] -=
+        f.static_ / f.kinetic * result.gradient[index_of(Parameter::static_friction)];
+  return result;
+}
+
+// Of an expression of parameters alone.
+Parameter parameter_of(Parameter parameter) { return parameter; }
+template <typename Other>
+Parameter parameter_of(const Other&) {
+  TWUM_ASSERT(false);
+  return {};
+}
+
+void require_own_name(const std::string& name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const bool word = !name.empty() && letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+  if (!word)
+    throw InputError(
+        quoted(name) +
+        " cannot be the name of a metric; use letters, digits and '_', a letter first");
+  if (find_metric(name) || find_parameter(name))
+    throw InputError(quoted(name) + " is a metric or parameter of twum; use another name");
+}
+
+Dimension dimension_of_own(const OwnMetric& own) {
+  if (own.unit == "1") return {};
+  const Measure one = parse_measure("1 " + own.unit);
+  if (one.value != 1)
+    throw InputError(own.name + ": its unit " + quoted(own.unit) + " is not an SI unit");
+  return one.dimension;
 }
 
 // The value of a formula from those of its terms; the first failure of a term is passed on.
@@ -255,7 +317,25 @@ const Parameter* MetricExpression::parameter() const {
   return formula.is_name() ? std::get_if<Parameter>(terms.data()) : nullptr;
 }
 
+bool MetricExpression::has_derivatives() const {
+  return std::all_of(terms.begin(), terms.end(), [](const Term& term) {
+    const auto* own = std::get_if<OwnTerm>(&term);
+    return own == nullptr || (*own)->gradient != nullptr;
+  });
+}
+
 MetricExpression expression_of(Parameter parameter) { return parse_metric(info(parameter).name); }
+
+MetricExpression expression_of(OwnMetric metric) {
+  require_own_name(metric.name);
+  if (!metric.value) throw InputError(metric.name + ": a metric without a function for its value");
+  MetricExpression expression;
+  expression.text = metric.name;
+  expression.formula =
+      Formula({{Formula::Operation::name, 0, 0, 0, false}}, metric.name, dimension_of_own(metric));
+  expression.terms = {std::make_shared<const OwnMetric>(std::move(metric))};
+  return expression;
+}
 
 MetricExpression parse_side(std::string_view text) {
   MetricExpression expression;
@@ -328,54 +408,81 @@ MetricDerivative parameter_value(const MotorDesign& design, Parameter parameter,
 ExpressionEvaluator::ExpressionEvaluator(std::span<const MetricExpression> expressions) {
   for (const MetricExpression& expression : expressions) {
     Asked asked{expression.formula, {}};
-    for (const Term& term : expression.terms) {
-      const auto* request = std::get_if<MetricRequest>(&term);
-      asked.places.push_back(request != nullptr ? Place(place_in(requests_, *request))
-                                                : Place(std::get<Parameter>(term)));
-    }
+    const Overloaded place{
+        [&](const MetricRequest& request) { return Place(place_in(requests_, request)); },
+        [](const auto& other) { return Place(other); }};
+    for (const Term& term : expression.terms) asked.places.push_back(std::visit(place, term));
     asked_.push_back(std::move(asked));
   }
 }
 
 void ExpressionEvaluator::evaluate(const Motor& motor, std::span<MetricValue> values) const {
-  combine(motor.design(), twum::evaluate(motor, requests_), values);
+  combine(motor, twum::evaluate(motor, requests_), values);
 }
 
 std::vector<MetricDerivative> ExpressionEvaluator::differentiate(const Motor& motor,
                                                                  bool fixed_static_friction) const {
-  return combine(motor.design(), twum::differentiate(motor, requests_, fixed_static_friction),
+  return combine(motor, twum::differentiate(motor, requests_, fixed_static_friction),
                  fixed_static_friction);
 }
 
-void ExpressionEvaluator::combine(const MotorDesign& design, std::span<const MetricValue> metrics,
-                                  std::span<MetricValue> values) const {
-  std::vector<MetricValue> terms;
+// Calls combine(i, terms) with the terms of each expression.
+template <typename Value, typename Find, typename Combine>
+void ExpressionEvaluator::combine_terms(const Find& find, const Combine& combine) const {
+  std::vector<Value> terms;
   for (std::size_t i = 0; i < asked_.size(); ++i) {
     terms.clear();
-    for (const Place& place : asked_[i].places) {
-      const auto* metric = std::get_if<std::size_t>(&place);
-      terms.push_back(metric != nullptr
-                          ? metrics[*metric]
-                          : MetricValue{get(design, std::get<Parameter>(place)), MetricStatus::ok});
-    }
-    values[i] = value_of(asked_[i].formula, terms);
+    for (const Place& place : asked_[i].places) terms.push_back(std::visit(find, place));
+    combine(i, terms);
   }
 }
 
+void ExpressionEvaluator::combine(const Motor& motor, std::span<const MetricValue> metrics,
+                                  std::span<MetricValue> values) const {
+  const Overloaded find{[&](std::size_t metric) { return metrics[metric]; },
+                        [&](Parameter p) {
+                          return MetricValue{get(motor.design(), p), MetricStatus::ok};
+                        },
+                        [&](const OwnTerm& own) { return own_value(*own, motor); }};
+  combine_terms<MetricValue>(find, [&](std::size_t i, std::span<const MetricValue> terms) {
+    values[i] = value_of(asked_[i].formula, terms);
+  });
+}
+
 std::vector<MetricDerivative> ExpressionEvaluator::combine(
-    const MotorDesign& design, std::span<const MetricDerivative> metrics,
+    const Motor& motor, std::span<const MetricDerivative> metrics,
     bool fixed_static_friction) const {
   std::vector<MetricDerivative> result;
-  for (const Asked& asked : asked_) {
-    std::vector<MetricDerivative> terms;
-    for (const Place& place : asked.places) {
-      const auto* metric = std::get_if<std::size_t>(&place);
-      terms.push_back(metric != nullptr ? metrics[*metric]
-                                        : parameter_value(design, std::get<Parameter>(place),
-                                                          fixed_static_friction));
-    }
-    result.push_back(derivative_of(asked.formula, terms));
-  }
+  const Overloaded find{
+      [&](std::size_t metric) { return metrics[metric]; },
+      [&](Parameter p) { return parameter_value(motor.design(), p, fixed_static_friction); },
+      [&](const OwnTerm& own) { return own_derivative(*own, motor, fixed_static_friction); }};
+  combine_terms<MetricDerivative>(find,
+                                  [&](std::size_t i, std::span<const MetricDerivative> terms) {
+                                    result.push_back(derivative_of(asked_[i].formula, terms));
+                                  });
+  return result;
+}
+
+void ExpressionEvaluator::combine(const MotorDesign& design, std::span<MetricValue> values) const {
+  const auto find = [&](const auto& place) {
+    return MetricValue{get(design, parameter_of(place)), MetricStatus::ok};
+  };
+  combine_terms<MetricValue>(find, [&](std::size_t i, std::span<const MetricValue> terms) {
+    values[i] = value_of(asked_[i].formula, terms);
+  });
+}
+
+std::vector<MetricDerivative> ExpressionEvaluator::combine(const MotorDesign& design,
+                                                           bool fixed_static_friction) const {
+  std::vector<MetricDerivative> result;
+  const auto find = [&](const auto& place) {
+    return parameter_value(design, parameter_of(place), fixed_static_friction);
+  };
+  combine_terms<MetricDerivative>(find,
+                                  [&](std::size_t i, std::span<const MetricDerivative> terms) {
+                                    result.push_back(derivative_of(asked_[i].formula, terms));
+                                  });
   return result;
 }
 
