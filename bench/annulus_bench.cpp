@@ -27,7 +27,7 @@ MotorDesign ring(int slices, Shape shape, double threshold = 1) {
   design.stator.modal_damping = 45;  // so that efficiency has a maximum
   design.stator.radial_slices = slices;
   if (shape == Shape::rising) design.stator.radial_shape = {2, 13.25e-3, {}};
-  design.friction.static_ = threshold * design.friction.kinetic;
+  design.friction.threshold = threshold * design.friction.kinetic;
   return design;
 }
 

@@ -25,7 +25,7 @@ MotorDesign design_of(benchmark::State& state) {
   const auto kind = static_cast<std::size_t>(state.range(0));
   state.SetLabel(kLabels[kind]);
   MotorDesign design = kind == 0 ? driven_motor() : driven_motor_with_layer();
-  if (kind == 2) design.friction.static_ = 1.3 * design.friction.kinetic;
+  if (kind == 2) design.friction.threshold = 1.3 * design.friction.kinetic;
   design.stator.radial_slices = static_cast<int>(state.range(1));
   return design;
 }

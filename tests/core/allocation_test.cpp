@@ -67,7 +67,7 @@ TEST_CASE("an operating point takes nothing from the heap", "[core][point][work]
   const double load = GENERATE(0.0, 0.3, 0.95, 2.0);  // 0: the ring's own
   const double threshold = GENERATE(1.0, 1.6);
   if (load > 0) design.preload = load * full_contact_load(design);
-  design.friction.static_ = threshold * design.friction.kinetic;
+  design.friction.threshold = threshold * design.friction.kinetic;
   CAPTURE(load, threshold);
   CHECK(taken_by_points(Motor(design)) == 0);
 }

@@ -42,7 +42,7 @@ MotorDesign pressed(MotorDesign design, double preload) {
 }
 
 MotorDesign with_threshold(MotorDesign design, double ratio) {
-  design.friction.static_ = ratio * design.friction.kinetic;
+  design.friction.threshold = ratio * design.friction.kinetic;
   return design;
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("the powers of an annulus balance (T7.10, W3.2, W3.5)", "[core][annulu
       // 1e-11 of the scale: what a slice keeps (E5 in events.md), and rounding of the sum
       CHECK(std::abs(imbalance(p)) <= 1e-11 * power_scale(motor, speed));
       const double outer = inner_of(design) + design.stator.contact_width;
-      CHECK(std::abs(p.torque) <= design.friction.static_ * design.preload * outer);
+      CHECK(std::abs(p.torque) <= design.friction.threshold * design.preload * outer);
     }
   }
 }
@@ -273,7 +273,7 @@ TEST_CASE("torque at rest without drive is that of the flat rotor (W3.6)",
     CAPTURE(taper);
     const MotorDesign cone = tapered(sliced(ring, 8), taper);
     CHECK(Motor(cone).holding_torque() ==
-          Approx(ring.friction.static_ * moments(low).second).epsilon(1e-7));
+          Approx(ring.friction.threshold * moments(low).second).epsilon(1e-7));
     MotorDesign still = cone;
     still.stator.amplitude = 0;
     const OperatingPoint dragged = Motor(still).operating_point(1);
@@ -333,7 +333,8 @@ TEST_CASE("the plateau ends where the first ring sticks (W5.4)", "[core][annulus
   constexpr int kRings = 2000;
   for (const Track& track : tracks()) {
     const MotorDesign& d = track.design;
-    if (d.friction.static_ > d.friction.kinetic) continue;  // a ring that sticks may go on sticking
+    if (d.friction.threshold > d.friction.kinetic)
+      continue;  // a ring that sticks may go on sticking
     const double height = height_of(d, kRings), width = d.stator.contact_width / kRings;
     std::vector<Ring> rings = rings_at(d, 200, height);
     for (const double edge : {inner_of(d), inner_of(d) + d.stator.contact_width})
@@ -373,7 +374,7 @@ TEST_CASE("fields at a radius are those of the wave and the rotor there (W1.1, W
         crest.pressure ==
         Approx(std::max(0.0, middle.pressure + stiffness * rise)).margin(1e-12 * middle.pressure));
     for (const FieldSample& sample : fields.samples)
-      CHECK(std::abs(sample.traction) <= design.friction.static_ * sample.pressure * (1 + 1e-9));
+      CHECK(std::abs(sample.traction) <= design.friction.threshold * sample.pressure * (1 + 1e-9));
     CHECK(motor.zones(speed, radius).size() == fields.zones.size());
   }
   CHECK_THROWS_AS(motor.fields(speed, 11, r + 0.0021), InputError);

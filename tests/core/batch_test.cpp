@@ -86,7 +86,7 @@ TEST_CASE("a batch has the derivatives of the holding torque mu_0 F_N r",
   REQUIRE(rows.size() == batch.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const auto& gradient = rows[i].at(0).gradient;
-    const double mu_0 = batch[i].friction.static_, load = batch[i].preload;
+    const double mu_0 = batch[i].friction.threshold, load = batch[i].preload;
     const double r = batch[i].stator.contact_radius;
     // Products of two numbers: three roundings at most.
     CHECK(gradient[index_of(Parameter::preload)] == Approx(mu_0 * r).epsilon(1e-15));
@@ -137,7 +137,7 @@ TEST_CASE("designs are asked one by one: each has its answer or the reason why i
         CHECK(failure->kind == DesignFailure::Kind::error);
         CHECK(failure->text == "internal-error");  // never the text of another library
       } else {  // (T7.8); a product of three numbers: two roundings, in any order
-        const double expected = usual.friction.static_ * preload(i) * usual.stator.contact_radius;
+        const double expected = usual.friction.threshold * preload(i) * usual.stator.contact_radius;
         CHECK(*torque == Approx(expected).epsilon(1e-15));
       }
     }

@@ -22,7 +22,7 @@ using namespace twum::test;
 MotorDesign seeded_design(Uniform& random, int index) {
   MotorDesign design = realistic_design(random);
   const bool threshold = index / 3 % 2 == 1;
-  design.friction.static_ = design.friction.kinetic * (threshold ? random(1.1, 2.0) : 1.0);
+  design.friction.threshold = design.friction.kinetic * (threshold ? random(1.1, 2.0) : 1.0);
   if (index % 5 == 4) design.preload = full_contact_load(design) * random(1.05, 3.0);
   if (index % 3 == 1) design = damped(design);
   if (index % 3 == 2) design = elastic(design);

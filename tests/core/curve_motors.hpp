@@ -47,7 +47,7 @@ inline MotorDesign ringing_motor(Uniform& random, int i) {
 /// A realistic motor, mu_0 = mu for odd i and well above it for even ones.
 inline MotorDesign holding_motor(Uniform& random, int i) {
   MotorDesign design = realistic_design(random);
-  design.friction.static_ = design.friction.kinetic * (i % 2 == 1 ? 1 : random(1.02, 2.5));
+  design.friction.threshold = design.friction.kinetic * (i % 2 == 1 ? 1 : random(1.02, 2.5));
   design.stator.modal_damping = 30;
   return design;
 }
@@ -55,7 +55,7 @@ inline MotorDesign holding_motor(Uniform& random, int i) {
 /// A motor of the box of theory section 10 with mu_0 = mu.
 inline MotorDesign box_motor(Uniform& random) {
   MotorDesign design = random_box_point(random).design;
-  design.friction.static_ = design.friction.kinetic;
+  design.friction.threshold = design.friction.kinetic;
   design.stator.modal_damping = 30;
   return design;
 }

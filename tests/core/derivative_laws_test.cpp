@@ -39,7 +39,7 @@ TEST_CASE(
   int compared[2] = {0, 0};
   for (int i = 0; i < 300; ++i) {
     MotorDesign design = realistic_design(random);
-    if (design.friction.static_ < 1.1 * design.friction.kinetic) continue;
+    if (design.friction.threshold < 1.1 * design.friction.kinetic) continue;
     const auto exact = differentiate(Motor(design), requests);
     const std::vector<double> at = limits(design);
     for (const Parameter p : {Parameter::amplitude, Parameter::preload, Parameter::youngs_modulus,

@@ -145,7 +145,7 @@ TEST_CASE("a track that is split where its slices jump has the derivatives of di
   MotorDesign ringing = ring;  // comes back with a hundredth of its motion
   ringing.layer.thickness = 0.5e-3, ringing.layer.youngs_modulus = 0.9e9;
   for (MotorDesign design : {ring, elastic(ring), damped(ring), ringing}) {
-    design.friction.static_ = 1.3 * design.friction.kinetic;
+    design.friction.threshold = 1.3 * design.friction.kinetic;
     design.stator.radial_slices = -12;
     check_torques(design);
   }
@@ -156,7 +156,7 @@ TEST_CASE("the metrics of a track with mu_0 > mu have the derivatives of differe
           "[core][annulus][derivative][differential]") {
   MotorDesign design = ring_motor();
   design.stator.modal_damping = 45;
-  design.friction.static_ = 1.3 * design.friction.kinetic;
+  design.friction.threshold = 1.3 * design.friction.kinetic;
   design.stator.radial_slices = -10;
   const std::vector<MetricRequest> requests{{Metric::no_load_speed},  {Metric::max_torque},
                                             {Metric::peak_power},     {Metric::speed_at_peak_power},
@@ -227,7 +227,7 @@ TEST_CASE("stall torque of a plateau is flat in amplitude, thickness and modulus
 
 TEST_CASE("static friction held fixed has its own derivative", "[core][derivative][identity]") {
   MotorDesign design = ring_motor();
-  design.friction.static_ = 0.3;
+  design.friction.threshold = 0.3;
   const Motor motor(design);
   const std::vector<MetricRequest> requests{{Metric::holding_torque}};
   const auto moving = differentiate(motor, requests, false);

@@ -106,7 +106,7 @@ TEST_CASE(
 TEST_CASE("jumps followed along a branch are those of the prescribed wave (W4.5)",
           "[core][driven][annulus][identity]") {
   MotorDesign design = driven_motor_with_layer();
-  design.friction.static_ = 1.3 * design.friction.kinetic;
+  design.friction.threshold = 1.3 * design.friction.kinetic;
   design.stator.radial_slices = kAutoSlices;
   const Motor motor(design);
   design.stator.radial_slices = motor.radial_slices();

@@ -64,8 +64,8 @@ MotorDesign motor_of(const std::string& name) {
   set(layer, "shear_viscosity", design.layer.given_shear_viscosity);
   set(layer, "inertia", design.layer.given_inertia);
   set(friction, "kinetic", design.friction.kinetic);
-  design.friction.static_ = design.friction.kinetic;
-  set(friction, "static", design.friction.static_);
+  design.friction.threshold = design.friction.kinetic;
+  set(friction, "static", design.friction.threshold);
   set(motor, "preload", design.preload);
   return design;
 }

@@ -142,7 +142,7 @@ TEST_CASE("over a still stator the rotor's direction decides which way the layer
   MotorDesign design = ring_motor();
   design.stator.amplitude = 0;
   for (const double ratio : {1.0, 1.5}) {
-    design.friction.static_ = ratio * design.friction.kinetic;
+    design.friction.threshold = ratio * design.friction.kinetic;
     design.layer.loss_factor = 1;  // no rhythm
     const Motor motor(design);
     for (const double speed : {-3.0, -0.5, -1e-3, 0.0, 1e-3, 0.5, 3.0}) {
@@ -165,7 +165,7 @@ static double least_slip_after_release(const MotorDesign& d, double speed) {
       d.preload / (2 * 3.14159265358979324 * d.stator.contact_radius * d.stator.contact_width);
   const double rotor = d.stator.contact_radius * speed / d.layer.thickness;
   const double step = 1e-3 / std::max(std::sqrt(g / m), c / m);
-  double x = -d.friction.static_ * pressure / g, v = -rotor, least = 1;
+  double x = -d.friction.threshold * pressure / g, v = -rotor, least = 1;
   const auto rate = [&](double at, double by) {
     return (-d.friction.kinetic * pressure - c * by - g * at) / m;
   };
@@ -209,7 +209,7 @@ TEST_CASE(
     "an elastic layer with a static threshold snaps, and the work of every snap counts (T4.4)",
     "[core][edge][identity]") {
   MotorDesign design = at_load(elastic(ring_motor()), 0.15);
-  design.friction.static_ = 1.8 * design.friction.kinetic;
+  design.friction.threshold = 1.8 * design.friction.kinetic;
   const Motor motor(design);
   int differing = 0;
   for (const double share : {0.5, 0.7, 0.8, 0.9, 0.95, 1.0, 1.1, 1.3}) {
@@ -222,7 +222,7 @@ TEST_CASE(
     CHECK(std::abs(point.torque - oracle.torque) <= oracle.torque_error);
     CHECK(std::abs(point.friction_power - oracle.friction_power) <= oracle.power_error);
     MotorDesign kinetic = design;
-    kinetic.friction.static_ = kinetic.friction.kinetic;
+    kinetic.friction.threshold = kinetic.friction.kinetic;
     differing += std::abs(Motor(kinetic).operating_point(speed).torque - point.torque) >
                  1e-3 * motor.holding_torque();
   }
@@ -235,7 +235,7 @@ TEST_CASE("a period-one state that does not exist is reported, not invented",
   MotorDesign design = GENERATE(damped(ring_motor()), elastic(ring_motor()));
   design.layer.given_shear_modulus = 0.3 * shear_modulus(design);
   design = at_load(design, 3);
-  design.friction.static_ = 1.7 * design.friction.kinetic;
+  design.friction.threshold = 1.7 * design.friction.kinetic;
   const Motor motor(design);
   int absent = 0;
   for (int i = 1; i <= 40; ++i) {

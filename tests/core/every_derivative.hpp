@@ -51,7 +51,7 @@ inline bool movable(const MotorDesign& design, const ParameterInfo& row) {
   if (row.integer || !in_use(design, row.parameter) || get(design, row.parameter) == 0)
     return false;
   return row.parameter != Parameter::static_friction ||
-         design.friction.static_ > 1.05 * design.friction.kinetic;
+         design.friction.threshold > 1.05 * design.friction.kinetic;
 }
 
 // mu_0 moves with mu, which with() sees to; on its own it is a parameter like any other.
@@ -59,7 +59,7 @@ inline MotorDesign design_of(Uniform& random, int index) {
   MotorDesign design = realistic_design(random);
   design.stator.modal_damping = random(20, 80);
   const bool threshold = index % 3 == 2;
-  design.friction.static_ = design.friction.kinetic * (threshold ? 1.2 : 1.0);
+  design.friction.threshold = design.friction.kinetic * (threshold ? 1.2 : 1.0);
   if (index % 4 == 1) design = damped(design);
   if (index % 4 == 2) design = elastic(design);
   if (index % 4 ==

@@ -29,7 +29,7 @@ struct Probe {
 };
 
 MotorDesign with_threshold(MotorDesign design, double ratio) {
-  design.friction.static_ = ratio * design.friction.kinetic;
+  design.friction.threshold = ratio * design.friction.kinetic;
   return design;
 }
 
@@ -159,8 +159,8 @@ TEST_CASE("Coulomb's law holds at every phase (T4.2, T4.3)", "[core][fields][ide
       const double slip = s.layer_velocity - s.stator_velocity;
       if (zone->state == ZoneState::stick) {
         law.add(slip, 0, velocity);
-        law.add(std::max(std::abs(s.traction), friction.static_ * s.pressure),
-                friction.static_ * s.pressure, peak);
+        law.add(std::max(std::abs(s.traction), friction.threshold * s.pressure),
+                friction.threshold * s.pressure, peak);
       } else {
         const double sign = static_cast<double>(zone->state);
         law.add(s.traction, sign * friction.kinetic * s.pressure, peak);
@@ -301,7 +301,7 @@ TEST_CASE("fields of full contact close: both ends are one place", "[core][field
     MotorDesign design = realistic_design(random);
     if (i % 3 == 1) design = damped(design);
     if (i % 3 == 2) design = elastic(design);
-    design.friction.static_ = design.friction.kinetic;  // no snap there
+    design.friction.threshold = design.friction.kinetic;  // no snap there
     design.preload = full_contact_load(design) * random(1.1, 3);
     const Motor motor(design);
     const double speed = random(0.1, 1.2) * motor.crest_speed();

@@ -46,7 +46,7 @@ TEST_CASE("traps of the host do not fire, and stay enabled", "[core][traps]") {
   CHECK(ask_everything(MotorDesign{}) > 100);
   CHECK(ask_everything(test::ring_motor()) > 100);
   MotorDesign rubbery;
-  rubbery.friction.static_ = 0.3;
+  rubbery.friction.threshold = 0.3;
   rubbery.layer.loss_factor = 0.005;
   CHECK(ask_everything(rubbery) > 100);
   CHECK(ask_everything(test::driven_motor()) > 100);

@@ -19,7 +19,7 @@ using namespace twum;
 using namespace twum::test;
 
 MotorDesign with_threshold(MotorDesign design, double ratio, int slices) {
-  design.friction.static_ = ratio * design.friction.kinetic;
+  design.friction.threshold = ratio * design.friction.kinetic;
   design.stator.radial_slices = slices;
   return design;
 }

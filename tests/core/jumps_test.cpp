@@ -25,7 +25,7 @@ MotorDesign jumping_motor(int number) {
     design.layer.loss_factor = 0.002 * (1 + i % 10);
     design.layer.given_inertia = std::pow(10, random(-4.3, -2.3));
     design.preload *= std::pow(10, random(-1.3, 0.7));
-    design.friction.static_ = design.friction.kinetic * random(1.02, 2.5);
+    design.friction.threshold = design.friction.kinetic * random(1.02, 2.5);
   }
   return design;
 }

@@ -235,7 +235,7 @@ TEST_CASE("under one wave the torque has one zero (E6.7)", "[core][load]") {
   int motors = 0;
   for (int i = 0; i < 60; ++i) {
     MotorDesign design = realistic_design(random);
-    design.friction.static_ = design.friction.kinetic;
+    design.friction.threshold = design.friction.kinetic;
     const Motor motor(design);
     const MetricValue free = ask(motor, Metric::no_load_speed);
     if (free.status != MetricStatus::ok || !(free.value > 0)) continue;

@@ -38,11 +38,11 @@ Following following(const MotorDesign& d) {
   const double stiff = shear_modulus(d) - inertia(d) * omega * omega;
   const double viscous = shear_viscosity(d) * omega;
   Following f{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0,
-              d.friction.static_ * mean, area};
+              d.friction.threshold * mean, area};
   constexpr int kPlaces = 20000;
   for (int i = 0; i < kPlaces; ++i) {
     const double theta = 2 * std::numbers::pi * i / kPlaces;
-    const double threshold = d.friction.static_ * (wave * std::cos(theta) + mean);
+    const double threshold = d.friction.threshold * (wave * std::cos(theta) + mean);
     const double traction = strain * (stiff * std::sin(theta) + viscous * std::cos(theta));
     f.least = std::max(f.least, -threshold - traction);
     f.most = std::min(f.most, threshold - traction);
@@ -58,7 +58,7 @@ constexpr double kMissed = 1e-5;
 
 MotorDesign random_full_contact(Uniform& random) {
   MotorDesign design = ring_motor();
-  design.friction.static_ = design.friction.kinetic * random(1, 1.5);
+  design.friction.threshold = design.friction.kinetic * random(1, 1.5);
   design.layer.given_shear_modulus = random.logarithmic(3e7, 1e10);
   design.layer.loss_factor = random.chance(0.2) ? 0 : random.logarithmic(0.01, 3);
   if (random.chance(0.5)) design.layer.given_inertia = 0;
@@ -126,7 +126,7 @@ TEST_CASE("a locked layer follows the stator and takes its viscous loss (T7.4, T
   int locked = 0;
   for (int i = 0; i < 400; ++i) {
     MotorDesign design = random_full_contact(random);
-    design.friction.static_ = design.friction.kinetic;
+    design.friction.threshold = design.friction.kinetic;
     const Following f = following(design);
     if (!(f.most - f.least > kMissed * f.mean)) continue;
     ++locked;

@@ -97,7 +97,7 @@ TEST_CASE("a peak of power where the torque jumps up moves with the plateau's en
   int found = 0;
   for (int i = 0; i < 60; ++i) {
     MotorDesign design = realistic_design(random);
-    design.friction.static_ = design.friction.kinetic * random(1.2, 2.5);
+    design.friction.threshold = design.friction.kinetic * random(1.2, 2.5);
     const Motor motor(design);
     const double end = ask(motor, Metric::plateau_speed).value;
     const double best = ask(motor, Metric::speed_at_peak_power).value;
@@ -135,7 +135,7 @@ TEST_CASE(
   int smooth = 0;
   for (int i = 0; i < 60; ++i) {
     MotorDesign design = i % 2 == 0 ? realistic_design(random) : random_box_point(random).design;
-    design.friction.static_ = design.friction.kinetic * (i % 4 == 3 ? 1 : random(1.05, 2.5));
+    design.friction.threshold = design.friction.kinetic * (i % 4 == 3 ? 1 : random(1.05, 2.5));
     if (i % 3 == 1) design = damped(design);
     const Motor motor(design);
     if (motor.contact().full || !(ask(motor, Metric::stall_torque).value > 0)) continue;

@@ -65,7 +65,7 @@ TEST_CASE("torque falls through zero at the no-load speed (T7.14)", "[core][metr
   Uniform random(51);
   for (int i = 0; i < 60; ++i) {  // thick layers, whose torque may ripple
     MotorDesign design = realistic_design(random);
-    design.friction.static_ = design.friction.kinetic;
+    design.friction.threshold = design.friction.kinetic;
     design.layer.thickness *= random(1.5, 4);
     tested.emplace_back(design);
   }
@@ -275,7 +275,7 @@ TEST_CASE("metrics asked together are those asked alone", "[core][metrics][ident
   Uniform random(12);
   for (int i = 0; i < 8;) {
     const BoxPoint box = random_box_point(random);
-    if (!(box.design.friction.static_ > box.design.friction.kinetic)) continue;
+    if (!(box.design.friction.threshold > box.design.friction.kinetic)) continue;
     CAPTURE(i++);
     expect_same_alone(Motor(box.design));
   }

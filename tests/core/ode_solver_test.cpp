@@ -32,7 +32,7 @@ TEST_CASE(
     MotorDesign design = realistic_design(random);
     if (i % 2 == 1) design = damped(design);
     if (i % 5 == 4) design.preload = full_contact_load(design) * random(1.05, 3.0);
-    if (i % 4 >= 2) design.friction.static_ = design.friction.kinetic * random(1.1, 2.0);
+    if (i % 4 >= 2) design.friction.threshold = design.friction.kinetic * random(1.1, 2.0);
     const Motor motor(design);
     for (int k = 0; k < 3; ++k) {
       const double speed = motor.crest_speed() * random(-0.2, 1.3);

@@ -36,7 +36,6 @@ TEST_CASE("the parameter table has one row for each parameter, in order",
     CHECK(find_parameter(row.name) == row.parameter);
     if (!row.symbol.empty()) CHECK(find_parameter(row.symbol) == row.parameter);
     if (row.alternative) CHECK(info(*row.alternative).alternative == row.parameter);
-    CHECK(row.twin == row.alternative);  // its name before 0.2
     CHECK(row.min < row.max);
     CHECK_FALSE(row.text.empty());
     CHECK_FALSE(row.reason.empty());
@@ -85,9 +84,9 @@ TEST_CASE("static friction keeps its ratio unless it is set itself", "[core][des
   design.friction = {0.2, 0.25};
   const MotorDesign more = with(design, P::kinetic_friction, 0.3);
   CHECK(more.friction.kinetic == 0.3);
-  CHECK(more.friction.static_ == Approx(0.375).epsilon(1e-15));
+  CHECK(more.friction.threshold == Approx(0.375).epsilon(1e-15));
   const std::array<ParameterValue, 2> both{{{P::static_friction, 0.5}, {P::kinetic_friction, 0.3}}};
-  CHECK(with(design, both).friction.static_ == 0.5);  // whatever the order
+  CHECK(with(design, both).friction.threshold == 0.5);  // whatever the order
   CHECK(with(design, both).friction.kinetic == 0.3);
   CHECK_THROWS_AS(with(design, P::static_friction, 0.1), InputError);
 }

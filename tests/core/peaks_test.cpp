@@ -196,7 +196,7 @@ TEST_CASE("no jump of a torque that holds more than it slides hides a peak (T7.1
        {std::pair<std::uint64_t, std::set<int>>{1, {73, 126, 131, 501}},
         {2, {27, 32, 429, 464, 495}}}) {
     for (MotorDesign design : motors_of(seed, wanted, holding_motor)) {
-      design.friction.static_ = 1.3 * design.friction.kinetic;
+      design.friction.threshold = 1.3 * design.friction.kinetic;
       const Motor motor(design);
       const auto value = [&motor](Metric metric) {
         const MetricValue found = evaluate(motor, MetricRequest{metric});
@@ -233,7 +233,7 @@ TEST_CASE(
   for (const double phi : {2.98, 2.985, 2.99, 3.00, 3.03, 3.06, 3.09}) {
     for (const double ratio : {1.0, 1.2}) {
       MotorDesign design = elastic_ring(phi, 10 * (1 / phi - 1 / std::tan(phi)));
-      design.friction.static_ = ratio * design.friction.kinetic;
+      design.friction.threshold = ratio * design.friction.kinetic;
       design.stator.modal_damping = 0.4;
       const Motor motor(design);
       CAPTURE(phi, ratio);

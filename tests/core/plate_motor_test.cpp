@@ -59,14 +59,15 @@ TEST_CASE(
     "the modes beside the wave are found where they are asked for, and change nothing else (P4.7)",
     "[core][plate][identity]") {
   MotorDesign design = plate_motor();
-  design.stator.geometry->substrate.thickness *= 1.01;  // a plate that nobody has asked for yet
+  keep_plate(design);
   const auto wave = plate_model(design, stator::OtherModes::none);
   CHECK(std::isnan(wave->mode_separation.v));
   CHECK(wave->unwanted.empty());
   const auto whole = plate_model(design);
   CHECK(whole->mode_separation.v > 0);
   CHECK(whole->unwanted.size() > 8);
-  CHECK(plate_model(design, stator::OtherModes::none) == whole);
+  CHECK(plate_model(design) == whole);  // solved once
+  CHECK(plate_model(MotorDesign(design), stator::OtherModes::none) == wave);
   CHECK(whole->frequency.v == wave->frequency.v);
   CHECK(std::equal(std::begin(whole->frequency.d), std::end(whole->frequency.d),
                    std::begin(wave->frequency.d)));

@@ -57,7 +57,7 @@ TEST_CASE("a design that cannot be is refused with every complaint", "[core][edg
   MotorDesign design = ring_motor();
   design.preload = -1;
   design.layer.youngs_modulus = 0;
-  design.friction.static_ = 0.1;  // below kinetic
+  design.friction.threshold = 0.1;  // below kinetic
   try {
     Motor{design};
     FAIL("not refused");

@@ -79,7 +79,7 @@ TEST_CASE("speeds sought scale with time, to the bit in powers of two (C8.10)",
   for (int i = 0; i < 24; ++i) {
     MotorDesign design = realistic_design(random);
     design.stator.modal_damping = 20;
-    if (i % 4 != 0) design.friction.static_ = design.friction.kinetic;
+    if (i % 4 != 0) design.friction.threshold = design.friction.kinetic;
     if (i % 3 == 1) design = damped(design);
     if (i % 3 == 2) design = elastic(design);
     design = outright(design);

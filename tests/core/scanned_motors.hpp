@@ -35,7 +35,7 @@ inline std::vector<Motor> motors(std::uint64_t seed, int count, bool threshold) 
   std::vector<Motor> made;
   for (int i = 0; i < count; ++i) {
     MotorDesign design = realistic_design(random);
-    if (!threshold) design.friction.static_ = design.friction.kinetic;
+    if (!threshold) design.friction.threshold = design.friction.kinetic;
     if (i % 3 == 1) design = damped(design);
     if (i % 3 == 2) design = elastic(design);
     made.emplace_back(design);

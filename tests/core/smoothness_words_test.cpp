@@ -73,7 +73,7 @@ TEST_CASE(
     CAPTURE(phi);
     CHECK(word(Motor(design), {Metric::no_load_speed}) == Smoothness::smooth);
     MotorDesign rough = design;
-    rough.friction.static_ = 1.2 * rough.friction.kinetic;
+    rough.friction.threshold = 1.2 * rough.friction.kinetic;
     CHECK(word(Motor(rough), {Metric::no_load_speed}) == Smoothness::one_sided);
   }
 }
@@ -170,7 +170,7 @@ TEST_CASE("a largest torque that is the stall torque moves as the stall torque d
     CAPTURE(i);
     ++equal;
     slow += motor.crest_speed() < 2;
-    rough += design.friction.static_ > design.friction.kinetic;
+    rough += design.friction.threshold > design.friction.kinetic;
     CHECK(top.smoothness == stall.smoothness);
     if (stall.smoothness != Smoothness::undefined) CHECK(top.gradient == stall.gradient);
   }

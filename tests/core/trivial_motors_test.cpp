@@ -49,7 +49,7 @@ TEST_CASE("over a still stator a layer without damping slips steadily if mu_0 = 
   for (int i = 1; i <= 300; ++i) {
     MotorDesign design = ring_motor();
     design.stator.amplitude = 0;
-    design.friction.static_ = design.friction.kinetic;
+    design.friction.threshold = design.friction.kinetic;
     design.layer.loss_factor = 0;
     design.layer.thickness = 1e-4 * (1 + i % 7);
     const Motor motor(design);

@@ -29,7 +29,7 @@ MotorDesign loaded(MotorDesign design, double load) {
 }
 
 MotorDesign with_threshold(MotorDesign design) {
-  design.friction.static_ = 1.4 * design.friction.kinetic;
+  design.friction.threshold = 1.4 * design.friction.kinetic;
   return design;
 }
 
@@ -69,8 +69,8 @@ TEST_CASE("the reactive force is the mean of pressure and traction over the wave
       REQUIRE(fields.point.status == PointStatus::ok);
       // As for torque and powers: a jump of tau at a border costs at most half of it in one of the intervals.
       const double borders = static_cast<double>(fields.zones.size()) + 2;
-      const double peak = design.friction.static_ * tilt_of(design) * motor.contact().max_pressure *
-                          contact_problem(design, 0).track_area;
+      const double peak = design.friction.threshold * tilt_of(design) *
+                          motor.contact().max_pressure * contact_problem(design, 0).track_area;
       force.add(reactive_force(motor, fields), fields.point.reactive_force,
                 borders * peak / kSamples);
     }
@@ -159,7 +159,7 @@ TEST_CASE("preload and friction bound the force on the wave (C20.4)",
     const OperatingPoint point = motor.operating_point(at.speed);
     if (point.status != PointStatus::ok) continue;
     ++points;
-    const double bound = at.design.friction.static_ * tilt_of(at.design) * at.design.preload;
+    const double bound = at.design.friction.threshold * tilt_of(at.design) * at.design.preload;
     const double velocity = 2 * kPi * at.design.stator.frequency * at.design.stator.amplitude;
     CAPTURE(i);
     // Powers are trusted to 1e-9 of their scale.

@@ -82,9 +82,9 @@ TEST_CASE("what may be left out has its stated default", "[studies][motor]") {
   text = replaced(text, "    modal_damping: 45 N.s/m ", "    # ");
   text = replaced(text, "kinetic: 0.2", "kinetic: 0.3");
   const MotorDesign design = read(text);
-  CHECK(design.friction.static_ == 0.3);
+  CHECK(design.friction.threshold == 0.3);
   CHECK(design.stator.modal_damping == 0);
-  CHECK(read(replaced(text, "kinetic: 0.3", "kinetic: 0")).friction.static_ == 0);
+  CHECK(read(replaced(text, "kinetic: 0.3", "kinetic: 0")).friction.threshold == 0);
 }
 
 TEST_CASE("alternatives may be given outright, zero included", "[studies][motor]") {

@@ -45,7 +45,7 @@ Question random_question(std::uint64_t number) {
   MotorDesign motor = read_motor_file(test::motor_path("ring-60")).design;
   motor.layer.loss_factor = spread(2e-3, 5e-2);
   motor.friction.kinetic = spread(0.12, 0.3);
-  motor.friction.static_ = motor.friction.kinetic * (1 + 0.5 * random.uniform());
+  motor.friction.threshold = motor.friction.kinetic * (1 + 0.5 * random.uniform());
   motor.preload = spread(80, 250);
   Question question{{motor, {}, {}, {}}, {}};
   DesignProblem& p = question.problem;

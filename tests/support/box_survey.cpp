@@ -55,7 +55,7 @@ double reach_of(const Motor& motor) {
 // Over an annulus the pressure may move to its outer edge (W3.5).
 double largest_torque(const Motor& motor) {
   const MotorDesign& d = motor.design();
-  return d.friction.static_ * d.preload * (d.stator.contact_radius + reach_of(motor));
+  return d.friction.threshold * d.preload * (d.stator.contact_radius + reach_of(motor));
 }
 
 // The scale of powers (T7.11), with the crest's largest speed over the track: V0 / rho goes with R(rho) / rho^2.
@@ -191,7 +191,7 @@ std::vector<MotorDesign> bases() {
   std::vector<MotorDesign> all{ring_motor(), elastic(ring_motor()), damped(ring_motor())};
   for (std::size_t i = 0; i < 3; ++i) {
     all.push_back(all[i]);
-    all.back().friction.static_ = 1.3 * all.back().friction.kinetic;
+    all.back().friction.threshold = 1.3 * all.back().friction.kinetic;
   }
   return all;
 }

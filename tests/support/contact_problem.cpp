@@ -90,7 +90,7 @@ ContactProblem contact_problem(const MotorDesign& design, double speed) {
   problem.crest_velocity = wave_number * stator.neutral_plane_distance * stator.amplitude * omega;
   problem.track_area = 2 * kPi * stator.contact_radius * stator.contact_width;
   problem.kinetic = design.friction.kinetic;
-  problem.threshold = design.friction.static_;
+  problem.threshold = design.friction.threshold;
   set_normal_contact(problem, design, wave_number);
   set_layer(problem, design, omega, omega + wave_number * problem.rotor_velocity);
   problem.torque_scale = problem.threshold * design.preload * problem.radius;

@@ -10,7 +10,7 @@ namespace twum::test {
 
 /// mu_0 F_N r [N m] (T7.8), the scale of torques.
 inline double torque_scale(const MotorDesign& design) {
-  return design.friction.static_ * design.preload * design.stator.contact_radius;
+  return design.friction.threshold * design.preload * design.stator.contact_radius;
 }
 
 /// mu_0 F_N max(V0, |U|) [W] (T7.11), the scale of powers at one speed.

@@ -47,7 +47,7 @@ struct ContactNumbers {
   S half_angle;   ///< theta_L; pi in full contact
   S peak;         ///< w_L = p(0): 1 - cos theta_L in partial contact, >= 2 in full contact
   S kinetic;      ///< mu
-  S static_;      ///< mu_0
+  S threshold;    ///< mu_0
   Trig<S> edge;   ///< of theta_L
   bool full;      ///< full contact: no free zone, theta runs from -pi to pi
 };
@@ -63,7 +63,7 @@ ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
           at(n.half_angle),
           at(n.peak),
           at(n.kinetic),
-          at(n.static_),
+          at(n.threshold),
           {at(n.edge.sin), at(n.edge.cos), at(n.edge.versine)},
           n.full};
 }

@@ -15,7 +15,7 @@ void put(ContactNumbers<LaneArray>& n, int lane, const ContactNumbers<double>& c
   n.inertia.v[lane] = contact.inertia, n.damping.v[lane] = contact.damping;
   n.stick_rate.v[lane] = contact.stick_rate, n.speed_ratio.v[lane] = contact.speed_ratio;
   n.half_angle.v[lane] = contact.half_angle, n.peak.v[lane] = contact.peak;
-  n.kinetic.v[lane] = contact.kinetic, n.static_.v[lane] = contact.static_;
+  n.kinetic.v[lane] = contact.kinetic, n.threshold.v[lane] = contact.threshold;
   n.edge.sin.v[lane] = contact.edge.sin, n.edge.cos.v[lane] = contact.edge.cos;
   n.edge.versine.v[lane] = contact.edge.versine;
 }
@@ -59,7 +59,7 @@ std::span<LaneCode* const> lane_codes() {
 }
 
 bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
-  return layer.serves_lanes() && enters_at_rest(n, layer) && !(n.static_ > n.kinetic) &&
+  return layer.serves_lanes() && enters_at_rest(n, layer) && !(n.threshold > n.kinetic) &&
          !is_delicate(n, layer);
 }
 

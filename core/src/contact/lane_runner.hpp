@@ -77,7 +77,7 @@ class LaneRunner {
             loaded(n.half_angle),
             loaded(n.peak),
             loaded(n.kinetic),
-            loaded(n.static_),
+            loaded(n.threshold),
             {loaded(n.edge.sin), loaded(n.edge.cos), loaded(n.edge.versine)},
             false};
   }
@@ -118,7 +118,7 @@ class LaneRunner {
   void after_slip() {
     const S traction =
         sticking_traction(n_, layer_, here_, here_.layer.e).at(here_.theta, here_.at);
-    sticks_ = goes_on_ && fabs(traction) <= n_.static_ * pressure(n_, here_.at);
+    sticks_ = goes_on_ && fabs(traction) <= n_.threshold * pressure(n_, here_.at);
     sigma_ = -sigma_;
     starts_at_zero_ = !Mask{}, starts_flat_ = Mask{};
   }
@@ -156,7 +156,7 @@ class LaneRunner {
     S zero = kNoZero;
     if (any(one)) {
       const S guess = curve.taylor_zero(length);
-      zero = select(one, polished(curve, one, 0.0, length, guess, first.l3), kNoZero);
+      zero = select(one, refined(curve, one, 0.0, length, guess, first.l3), kNoZero);
     }
     const Mask open = lanes && !one && !none;
     return any(open) ? select(open, first_zero(curve, open, Mask{}, length), zero) : zero;
@@ -188,7 +188,7 @@ class LaneRunner {
     }
     fail(open);
     if (!any(bracketed)) return kNoZero;
-    const S zero = polished(curve, bracketed, low, low + reach, low, l3);
+    const S zero = refined(curve, bracketed, low, low + reach, low, l3);
     return select(bracketed && zero < length, zero, kNoZero);
   }
 
@@ -203,7 +203,7 @@ class LaneRunner {
 
   // polish_zero() in some lanes.
   template <typename Curve>
-  S polished(const Curve& curve, const Mask& lanes, S low, S high, S x, const S& l3) {
+  S refined(const Curve& curve, const Mask& lanes, S low, S high, S x, const S& l3) {
     Mask open = lanes && found_;
     for (int i = 0; i < kMaxSteps && any(open); ++i) {
       const SampleOf<S> c = curve.terms(x);

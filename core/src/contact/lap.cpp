@@ -37,7 +37,7 @@ Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<d
                       const LapEntry<double>& entry, const ZoneSequence& near) {
   Lap<double> lap;
   if (near.count > 0 && near.complete()) {
-    LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, Means::all, lap).run(entry);
+    LapRunner<double, Ends::confirmed>(numbers, layer, &near, nullptr, Means::all, lap).run(entry);
   } else {
     LapRunner<double>(numbers, layer, nullptr, nullptr, Means::all, lap).run(entry);
   }
@@ -57,8 +57,7 @@ static Lap<double> followed(const ContactNumbers<double>& numbers, const LayerMo
                             const LapEntry<double>& entry, const ZoneSequence& near) {
   Lap<double> lap;
   if (near.complete()) {
-    LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, Means::of_wave,
-                                                 lap)
+    LapRunner<double, Ends::trusted, kHasMeans>(numbers, layer, &near, nullptr, Means::of_wave, lap)
         .run(entry);
   }
   if (lap.sequence.count != near.count) lap.status = LapStatus::unresolved;

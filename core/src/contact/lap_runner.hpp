@@ -42,7 +42,7 @@ class LapRunner {
     while (!done_ && lap_.status == LapStatus::ok && lap_.sequence.count < zones) {
       const ZoneSequence::End* known = ends_.known(zone_.zone, lap_.sequence.count);
       // A lap that follows another goes through the same zones.
-      if (kEnds == Ends::followed && !known) return fail();
+      if (kEnds == Ends::trusted && !known) return fail();
       zone_.zone == ZoneState::stick ? stick(known) : slip(known);
       if (lap_.zones > kMaxZones) lap_.status = LapStatus::unresolved;
     }
@@ -69,7 +69,7 @@ class LapRunner {
   // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work (T4.4).
   void snap(double iota) {
     const S p = pressure(n_, here_.at);
-    const S before = iota * n_.static_ * p, after = iota * n_.kinetic * p;
+    const S before = iota * n_.threshold * p, after = iota * n_.kinetic * p;
     if constexpr (kHasMeans)
       lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
     here_.layer.e = after;

@@ -34,7 +34,7 @@ ContactNumbers<Dual<double, N + 2>> widened(const ContactNumbers<Dual<double, N>
           widened(n.half_angle),
           widened(n.peak),
           widened(n.kinetic),
-          widened(n.static_),
+          widened(n.threshold),
           {widened(n.edge.sin), widened(n.edge.cos), widened(n.edge.versine)},
           n.full};
 }

@@ -28,11 +28,11 @@ class Search {
       : s_(state),
         n_(numbers),
         layer_(layer),
-        monotone_(decided || !(numbers.static_ > numbers.kinetic)),
+        monotone_(decided || !(numbers.threshold > numbers.kinetic)),
         unique_(monotone_ && layer.C > 0 && !numbers.full),
         swing_(std::sqrt(layer.response)),
-        tolerance_(4e-16 * numbers.static_ * (swing_ + numbers.peak)),
-        tight_(4e-16 * numbers.static_ * std::min(numbers.peak, 1.0) * swing_),
+        tolerance_(4e-16 * numbers.threshold * (swing_ + numbers.peak)),
+        tight_(4e-16 * numbers.threshold * std::min(numbers.peak, 1.0) * swing_),
         loose_(monotone_ && layer.C > 0 ? accuracy / 4e-16 * tight_ : 0) {}
 
   void run(const LapGuess* guess) {
@@ -288,8 +288,8 @@ class Search {
     LapEntry<double> entry = s_.lap.next;
     const double iota = drift < 0 ? -1 : 1;
     const double mean = entry.layer.e - layer_.C * s * n_.speed_ratio;
-    const double swing = std::hypot(n_.static_ - iota * layer_.C * s, layer_.D * s);
-    const double reserve = n_.static_ * (n_.peak - 1) - iota * mean - swing - std::fabs(drift);
+    const double swing = std::hypot(n_.threshold - iota * layer_.C * s, layer_.D * s);
+    const double reserve = n_.threshold * (n_.peak - 1) - iota * mean - swing - std::fabs(drift);
     const double laps = std::floor(reserve / std::fabs(drift)) - 1;
     if (laps > 0 && std::isfinite(laps)) entry.layer.e += laps * drift;
     return entry;
@@ -310,7 +310,7 @@ class Search {
 // The lap of a layer that enters at rest. It is made in the state, not copied to it, because it is large.
 PeriodicState lap_from_rest(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                             const LapGuess* guess) {
-  const bool helps = guess != nullptr && !(numbers.static_ > numbers.kinetic);
+  const bool helps = guess != nullptr && !(numbers.threshold > numbers.kinetic);
   PeriodicState state{kAtRest, helps ? prove_lap(numbers, layer, kAtRest, guess->zones)
                                      : run_lap(numbers, layer, kAtRest)};
   state.laps = 1, state.zones = state.lap.zones;

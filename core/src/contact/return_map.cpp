@@ -38,7 +38,7 @@ bool attracts(const Matrix2& j) {
 static ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
   return {n.inertia,     n.damping,    n.stick_rate,
           n.speed_ratio, n.half_angle, n.peak,
-          n.kinetic,     n.static_,    {n.edge.sin, n.edge.cos, n.edge.versine},
+          n.kinetic,     n.threshold,  {n.edge.sin, n.edge.cos, n.edge.versine},
           n.full};
 }
 

@@ -62,7 +62,8 @@ S sticking_strain(const ContactNumbers<S>& n, const Phase<S>& from, const S& e,
 /// What a traction t leaves to the threshold on one side, mu_0 p - iota t (E2.4).
 template <typename S, typename Sign>
 Harmonic<S> reserve(const ContactNumbers<S>& n, const Harmonic<S>& t, const Sign& iota) {
-  return {n.static_ * n.peak - iota * t.k0, -iota * t.kb, -n.static_ - iota * t.kw, -iota * t.ks};
+  return {n.threshold * n.peak - iota * t.k0, -iota * t.kb, -n.threshold - iota * t.kw,
+          -iota * t.ks};
 }
 
 /// For finding events: there 1 - cos theta may be rounded.

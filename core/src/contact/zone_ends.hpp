@@ -9,9 +9,9 @@ namespace twum::contact {
 
 /// Where the ends of zones come from.
 enum class Ends : unsigned char {
-  searched,  ///< the first root of a function; given by a sequence, if there is one
-  proven,    ///< those near the ones of a sequence, once they are proven to be the first
-  followed   ///< those near the ones of a sequence, without proof
+  searched,   ///< the first root of a function; given by a sequence, if there is one
+  confirmed,  ///< those near the ones of a sequence, once they are proven to be the first
+  trusted     ///< those near the ones of a sequence, without proof
 };
 
 /// Finds where zones end: the first zero of v_rel in slip, of the reserve to the threshold on either side in stick.
@@ -69,7 +69,7 @@ class ZoneEnds {
     if (is_given(known)) return known ? *known : ended(kNoZero, 0);
     const Harmonic<double> traction = t.values();
     const double exit = value_of(n_.half_angle), length = exit - value_of(from.theta);
-    if constexpr (kEnds == Ends::followed) {
+    if constexpr (kEnds == Ends::trusted) {
       return ended(find_zero(stick_curve(t, from, known->side), length, {}, known->length),
                    known->side);
     }
@@ -112,7 +112,7 @@ class ZoneEnds {
   // True if the sequence's end needs no search.
   bool is_given(const ZoneSequence::End* known) const {
     return kEnds == Ends::searched ? sequence_ != nullptr
-                                   : kEnds == Ends::followed && known->length == kNoZero;
+                                   : kEnds == Ends::trusted && known->length == kNoZero;
   }
 
   // Where a search may begin.
@@ -124,7 +124,7 @@ class ZoneEnds {
   double find_zero(const Curve& curve, double length, StartOrder order, double near) {
     if constexpr (kEnds == Ends::searched) {
       return first_zero(curve, length, order, samples_, kMaxSamples);
-    } else if constexpr (kEnds == Ends::proven) {
+    } else if constexpr (kEnds == Ends::confirmed) {
       return first_zero(curve, length, order, samples_, kMaxSamples,
                         known_zero(curve, near, length));
     } else {

@@ -95,7 +95,7 @@ class ZoneStart {
     return stick();
   }
 
-  bool has_static_excess() const { return value_of(n_.static_) > value_of(n_.kinetic); }
+  bool has_static_excess() const { return value_of(n_.threshold) > value_of(n_.kinetic); }
 
  private:
   static ZoneBegin slip(double sigma, StartOrder order) { return {slipping(sigma), order}; }
@@ -110,7 +110,7 @@ class ZoneStart {
   }
 
   bool holds(double traction, const LapPlace<S>& p) const {
-    return std::fabs(traction) <= value_of(n_.static_) * value_of(pressure(n_, p.at));
+    return std::fabs(traction) <= value_of(n_.threshold) * value_of(pressure(n_, p.at));
   }
 
   // v_rel s / V0 of a layer that slips with sign sigma from here.

@@ -27,7 +27,7 @@ UsualNoLoad usual_no_load(const Curve& curve) {
   const double V = std::pow(n.edge.sin / n.half_angle, 0.9), L2 = n.half_angle * n.half_angle;
   const double load = contact::load_shape(n.half_angle, n.edge);
   return {V * curve.crest(),
-          -curve.holding() * n.stick_rate * L2 / (n.static_ * load * curve.crest())};
+          -curve.holding() * n.stick_rate * L2 / (n.threshold * load * curve.crest())};
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
   for (int i = 0; i < 8; ++i) {
     const double speed = line.zero();
     if (!(speed > low.speed && speed < high.speed)) return {};
-    if (line.settled()) return speed;
+    if (line.has_converged()) return speed;
     const double excess = walk.answered(speed).torque - torque;
     if (excess == 0) return speed;
     line.add(speed, excess);
@@ -71,7 +71,7 @@ std::optional<double> CurveCrossings::zero_of_falling() {
     if (p.torque == 0) return speed;
     (p.torque > 0 ? low : high) = speed;
     line.add(speed, p.torque);
-    if (line.settled()) return line.zero();
+    if (line.has_converged()) return line.zero();
     speed = line.count() == 1 ? speed - p.torque / usual.slope : line.zero();
   }
   return {};

@@ -65,7 +65,7 @@ class Curve {
   virtual SliceAnswer slice(double /*speed*/, std::size_t /*index*/) const { return {}; }
 
   /// Points of a curve that had to be followed to know it, by rising speed, as exact as CurveScan wants them.
-  virtual std::vector<CurvePoint> followed() const { return {}; }
+  virtual std::vector<CurvePoint> known_points() const { return {}; }
 
   /// Slopes along the curve, the wave moving with the speed.
   /// @throws SearchFailure if the point has no answer

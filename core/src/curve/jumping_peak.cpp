@@ -27,7 +27,7 @@ Peak JumpingPeakSearch::find() {
     }
   }
   best.beside_gap = beside_gap;
-  return named(best);
+  return with_plateau_named(best);
 }
 
 // Single speeds without a periodic state, as at a jump, hide nothing; nor does one with which a stretch begins that was not cut
@@ -81,7 +81,7 @@ bool JumpingPeakSearch::may_have_peaks(const Stretch& stretch) const {
 }
 
 // A peak at the plateau's end by its name. Its speed stays on its side of the jump.
-Peak JumpingPeakSearch::named(Peak peak) {
+Peak JumpingPeakSearch::with_plateau_named(Peak peak) {
   if (peak.kind == PeakKind::kink && crossings_.leaves_plateau_at(peak.speed))
     peak.kind =
         points_.answered(peak.speed).plateau ? PeakKind::plateau_end : PeakKind::beyond_plateau;

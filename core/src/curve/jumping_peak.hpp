@@ -25,7 +25,7 @@ class JumpingPeakSearch {
   bool may_have_peaks(const Stretch& stretch) const;
   std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
   std::optional<Peak> peak_between(double low, double high);
-  Peak named(Peak peak);
+  Peak with_plateau_named(Peak peak);
 
   GoalCurve goal_;
   CurvePoints& points_;

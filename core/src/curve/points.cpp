@@ -19,7 +19,7 @@ CurvePoint CurvePoints::answered(double speed) const {
   return p;
 }
 
-const CurvePoint& CurvePoints::kept(double speed) {
+const CurvePoint& CurvePoints::stored_point(double speed) {
   if (kept_.size() >= kMostKept) throw SearchFailure{MetricStatus::unresolved};
   const auto [place, fresh] = kept_.try_emplace(speed);
   if (fresh) place->second = at(speed);
@@ -39,18 +39,19 @@ void Walk::pass(double speed, const WarmStart& start) {
 }
 
 // Along the line through the two states, unless that leads far away. Null at first.
-const WarmStart* Walk::guess(double speed) {
+const WarmStart* Walk::extrapolated_start(double speed) {
   if (!last_) return nullptr;
   guess_ = last_->start;
   if (before_ && before_->speed != last_->speed) {
     const double t = (speed - last_->speed) / (last_->speed - before_->speed);
-    if (std::fabs(t) <= kFarBeyond) guess_ = WarmStart::beyond(before_->start, last_->start, t);
+    if (std::fabs(t) <= kFarBeyond)
+      guess_ = WarmStart::extrapolated(before_->start, last_->start, t);
   }
   return &guess_;
 }
 
 CurvePoint Walk::at(double speed, double accuracy) {
-  const CurvePoint p = points_.curve().point(speed, guess(speed), accuracy);
+  const CurvePoint p = points_.curve().point(speed, extrapolated_start(speed), accuracy);
   if (p.ok() && !p.special) pass(p);
   return p;
 }
@@ -62,13 +63,13 @@ CurvePoint Walk::answered(double speed) {
 }
 
 CurveSlope Walk::slope(double speed) {
-  const CurveSlope slope = points_.slope(speed, guess(speed));
+  const CurveSlope slope = points_.slope(speed, extrapolated_start(speed));
   pass(speed, slope.start);
   return slope;
 }
 
 const CurvePoint& Halving::at(double speed) {
-  const CurvePoint& p = points_.kept(speed);
+  const CurvePoint& p = points_.stored_point(speed);
   lose(p.lost, p.status);
   return p;
 }

@@ -21,7 +21,7 @@ class CurvePoints {
   CurvePoint answered(double speed) const;
   /// One that other searches come back to, with its status.
   /// @throws SearchFailure if there are too many
-  const CurvePoint& kept(double speed);
+  const CurvePoint& stored_point(double speed);
   /// @throws SearchFailure if the point has no answer
   CurveSlope slope(double speed, const WarmStart* guess = nullptr);
 
@@ -51,7 +51,7 @@ class Walk {
     double speed;
     WarmStart start;
   };
-  const WarmStart* guess(double speed);
+  const WarmStart* extrapolated_start(double speed);
 
   CurvePoints& points_;
   std::optional<Known> before_, last_;

@@ -57,7 +57,7 @@ const CurvePoint& CurveScan::first() {
 // torque.
 CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
   std::vector<CurvePoint> known{begin};
-  for (const CurvePoint& p : points_.curve().followed())
+  for (const CurvePoint& p : points_.curve().known_points())
     if (p.speed > begin.speed) known.push_back(p);
   const double crest = points_.curve().crest();
   for (int i = 1; known.size() < 3 && i < kHighest * kIntervals; ++i)
@@ -173,7 +173,7 @@ void CurveScan::skip_plateau() {
 void CurveScan::run() {
   const Curve& curve = points_.curve();
   int missing = 0;
-  const std::vector<CurvePoint> followed = curve.followed();
+  const std::vector<CurvePoint> followed = curve.known_points();
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
       if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);

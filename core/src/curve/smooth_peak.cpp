@@ -126,7 +126,7 @@ std::optional<Peak> SmoothPeakSearch::peak_near(std::size_t top) {
     const double step = i == 0 ? -s.slope / p.curvature : early.value_or(line.zero()) - speed;
     if (!(step * s.slope > 0)) return {};  // not a maximum
     speed += step;
-    if (early || line.settled())
+    if (early || line.has_converged())
       return Peak{speed, s.value + 0.5 * s.slope * step, PeakKind::smooth};
   }
   return {};

@@ -104,7 +104,7 @@ class InverseInterpolation {
   /// True if zero() is the zero. What the next better formula would add is the product of the distances
   /// of the three points, in units of the curve's own scale, for which a thirtieth of `unit` is taken; and
   /// where the scale is smaller the bend of the formula at hand tells.
-  bool settled() const {
+  bool has_converged() const {
     if (count_ < 3) return false;
     const auto& [c, b, a] = points_;
     const double x = zero(), straight = secant(), curved = straight + bend();

@@ -43,7 +43,7 @@ S modal_damping_of(const S& quality_factor, const S& resonance, const S& modal_m
 
 /// mu_0 / mu, which stays constant when mu changes; 1 without friction.
 inline double friction_ratio(const Friction& friction) {
-  return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
+  return friction.kinetic > 0 ? friction.threshold / friction.kinetic : 1;
 }
 
 /// Values in the order of the parameter table.

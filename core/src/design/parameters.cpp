@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/no_value.hpp>
 #include <twum/core/parameters.hpp>
+#include <twum/core/plate.hpp>
 
 #include "design/geometry_rows.hpp"
 #include "design/layer_properties.hpp"
@@ -22,11 +23,18 @@ namespace {
 using P = Parameter;
 
 // Every row, those of the stator's geometry last.
-constexpr std::array<ParameterInfo, kParameterCount> kTable = [] {
+constexpr auto kRows = [] {
+  std::array<ParameterRow, kMotorRows.size() + kGeometryRows.size()> rows{};
+  std::copy(kMotorRows.begin(), kMotorRows.end(), rows.begin());
+  std::copy(kGeometryRows.begin(), kGeometryRows.end(), rows.begin() + kMotorRows.size());
+  return rows;
+}();
+static_assert(kRows.size() == kParameterCount, "a parameter has no row");
+
+constexpr auto kTable = [] {
   std::array<ParameterInfo, kParameterCount> table{};
-  std::copy(kMotorRows.begin(), kMotorRows.end(), table.begin());
-  std::copy(kGeometryRows.begin(), kGeometryRows.end(), table.begin() + kMotorRows.size());
-  for (ParameterInfo& row : table) row.twin = row.alternative;
+  std::transform(kRows.begin(), kRows.end(), table.begin(),
+                 [](const auto& row) { return row.info; });
   return table;
 }();
 
@@ -35,10 +43,9 @@ constexpr bool every_parameter_in_its_place() {
     if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
   return true;
 }
-static_assert(every_parameter_in_its_place(),
-              "a parameter has no row of its own, or not in its place");
+static_assert(every_parameter_in_its_place(), "the rows have another order than the parameters");
 
-double or_nan(const std::optional<double>& value) { return value.value_or(kNoValue); }
+const ParameterPlace& place_of(Parameter parameter) { return kRows[index_of(parameter)].place; }
 
 std::string number(double value) {
   char text[32];
@@ -50,77 +57,31 @@ std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
 }
 
-// Creates the block of a parameter if the design has none.
-Imbalance& imbalance_of(Stator& stator) {
-  if (!stator.imbalance) stator.imbalance.emplace();
-  return *stator.imbalance;
-}
-Sensor& sensor_of(Stator& stator) {
-  if (!stator.sensor) stator.sensor.emplace();
-  return *stator.sensor;
+std::string block_of(Parameter parameter) {
+  const std::string_view name = info(parameter).name;
+  return std::string(name.substr(0, name.find('_')));
 }
 
 // Sets one parameter and removes its alternative. mu_0 follows mu; a value given for mu_0 is set afterwards.
 void set(MotorDesign& design, Parameter parameter, double value) {
   if (std::string wrong = follows_from_geometry(design, parameter); !wrong.empty())
     throw InputError(wrong);
-  Stator& stator = design.stator;
-  ContactLayer& layer = design.layer;
-  Friction& friction = design.friction;
-  RadialShape& shape = design.stator.radial_shape;
-  switch (parameter) {
-    case P::wavelengths: stator.wavelengths = value; break;
-    case P::contact_radius: stator.contact_radius = value; break;
-    case P::contact_width: stator.contact_width = value; break;
-    case P::neutral_plane_distance: stator.neutral_plane_distance = value; break;
-    case P::frequency: stator.frequency = value, stator.frequency_ratio.reset(); break;
-    case P::frequency_ratio: stator.frequency_ratio = value; break;
-    case P::amplitude: stator.amplitude = value, stator.voltage.reset(); break;
-    case P::voltage: stator.voltage = value; break;
-    case P::modal_damping: stator.modal_damping = value, stator.quality_factor.reset(); break;
-    case P::quality_factor: stator.quality_factor = value; break;
-    case P::resonance_frequency: stator.resonance_frequency = value; break;
-    case P::modal_mass: stator.modal_mass = value; break;
-    case P::force_factor: stator.force_factor = value; break;
-    case P::blocked_capacitance: stator.blocked_capacitance = value; break;
-    case P::loss_tangent: stator.loss_tangent = value; break;
-    case P::voltage_ratio: imbalance_of(stator).voltage_ratio = value; break;
-    case P::phase_error: imbalance_of(stator).phase_error = value; break;
-    case P::mode_splitting: imbalance_of(stator).mode_splitting = value; break;
-    case P::sensor_force_factor: sensor_of(stator).force_factor = value; break;
-    case P::sensor_capacitance: sensor_of(stator).capacitance = value; break;
-    case P::sensor_load_capacitance: sensor_of(stator).load_capacitance = value; break;
-    case P::sensor_load_resistance: sensor_of(stator).load_resistance = value; break;
-    case P::sensor_position: sensor_of(stator).position = value; break;
-    case P::radial_slices: stator.radial_slices = static_cast<int>(value); break;
-    case P::shape_exponent: shape.exponent = value, shape.table.clear(); break;
-    case P::shape_root: shape.root = value, shape.table.clear(); break;
-    case P::thickness: layer.thickness = value; break;
-    case P::youngs_modulus: layer.youngs_modulus = value; break;
-    case P::poisson_ratio: layer.poisson_ratio = value, layer.given_shear_modulus.reset(); break;
-    case P::density: layer.density = value, layer.given_inertia.reset(); break;
-    case P::loss_factor: layer.loss_factor = value, layer.given_shear_viscosity.reset(); break;
-    case P::shear_modulus: layer.given_shear_modulus = value; break;
-    case P::shear_viscosity: layer.given_shear_viscosity = value; break;
-    case P::inertia: layer.given_inertia = value; break;
-    case P::kinetic_friction:
-      friction.static_ = friction_ratio(friction) * value;
-      friction.kinetic = value;
-      break;
-    case P::static_friction: friction.static_ = value; break;
-    case P::rotor_taper: design.rotor.taper = value; break;
-    case P::rotor_mass: design.rotor.mass = value; break;
-    case P::preload: design.preload = value; break;
-    default: set_of_geometry(design, parameter, value);
-  }
+  if (place_of(parameter).set(design, value)) return;
+  const std::string name(info(parameter).name);
+  throw InputError(design.stator.geometry
+                       ? name + " needs a stator with the block '" + block_of(parameter) +
+                             "' in its geometry"
+                       : name +
+                             " needs a stator that is given by its geometry; this one is given "
+                             "by its modal data");
 }
 
 // The first contradiction between parameters of a design; empty if there is none.
 std::string contradiction(const MotorDesign& design) {
   const Stator& stator = design.stator;
-  if (design.friction.static_ < design.friction.kinetic)
+  if (design.friction.threshold < design.friction.kinetic)
     return "static_friction must be at least kinetic_friction = " +
-           number(design.friction.kinetic) + ", but is " + number(design.friction.static_);
+           number(design.friction.kinetic) + ", but is " + number(design.friction.threshold);
   if (stator.geometry) {
     if (!stator.voltage || has_modal_data(design)) return {};
     return "voltage needs quality_factor (or modal_damping, more than 0); give it, or amplitude in "
@@ -176,121 +137,28 @@ std::optional<Parameter> find_parameter(std::string_view name_or_symbol) {
 }
 
 double get(const MotorDesign& design, Parameter parameter) {
-  const Stator& stator = design.stator;
-  const ContactLayer& layer = design.layer;
-  const auto used = [&] { return in_use(design, parameter); };
-  const auto from_plate = plate_number_of(parameter);
-  if (from_plate && stator.geometry) return plate_numbers(design)[index_of(*from_plate)];
-  switch (parameter) {
-    case P::wavelengths: return stator.wavelengths;
-    case P::contact_radius: return stator.contact_radius;
-    case P::contact_width: return stator.contact_width;
-    case P::neutral_plane_distance: return stator.neutral_plane_distance;
-    case P::frequency: return drive_frequency(design);
-    case P::frequency_ratio:
-      return used() ? *stator.frequency_ratio
-                    : stator.frequency / get(design, P::resonance_frequency);
-    case P::amplitude: return used() ? stator.amplitude : kNoValue;
-    case P::voltage: return or_nan(stator.voltage);
-    case P::modal_damping: return modal_damping(design);
-    case P::quality_factor:
-      return used() ? *stator.quality_factor
-                    : modal_damping_of(stator.modal_damping, get(design, P::resonance_frequency),
-                                       get(design, P::modal_mass));
-    case P::resonance_frequency: return or_nan(stator.resonance_frequency);
-    case P::modal_mass: return or_nan(stator.modal_mass);
-    case P::force_factor: return or_nan(stator.force_factor);
-    case P::blocked_capacitance: return stator.blocked_capacitance;
-    case P::loss_tangent: return stator.loss_tangent;
-    case P::voltage_ratio: return stator.imbalance.value_or(Imbalance{}).voltage_ratio;
-    case P::phase_error: return stator.imbalance.value_or(Imbalance{}).phase_error;
-    case P::mode_splitting: return stator.imbalance.value_or(Imbalance{}).mode_splitting;
-    case P::sensor_force_factor: return used() ? stator.sensor->force_factor : kNoValue;
-    case P::sensor_capacitance: return used() ? stator.sensor->capacitance : kNoValue;
-    case P::sensor_load_capacitance: return used() ? stator.sensor->load_capacitance : kNoValue;
-    case P::sensor_load_resistance: return used() ? *stator.sensor->load_resistance : kNoValue;
-    case P::sensor_position: return used() ? stator.sensor->position : kNoValue;
-    case P::radial_slices: return stator.radial_slices;
-    case P::shape_exponent: return stator.radial_shape.exponent;
-    case P::shape_root: return stator.radial_shape.root;
-    case P::thickness: return layer.thickness;
-    case P::youngs_modulus: return layer.youngs_modulus;
-    case P::poisson_ratio:
-      return used() ? layer.poisson_ratio
-                    : poisson_ratio_of(layer.youngs_modulus, shear_modulus(design));
-    case P::density: return used() ? layer.density : density_of(inertia(design), layer.thickness);
-    case P::loss_factor:
-      return used() ? layer.loss_factor
-                    : loss_factor_of(shear_viscosity(design), shear_modulus(design),
-                                     2 * std::numbers::pi * drive_frequency(design));
-    case P::shear_modulus: return shear_modulus(design);
-    case P::shear_viscosity: return shear_viscosity(design);
-    case P::inertia: return inertia(design);
-    case P::kinetic_friction: return design.friction.kinetic;
-    case P::static_friction: return design.friction.static_;
-    case P::rotor_taper: return design.rotor.taper;
-    case P::rotor_mass: return or_nan(design.rotor.mass);
-    case P::preload: return design.preload;
-    default: return get_of_geometry(design, parameter);
-  }
+  const ParameterPlace& place = place_of(parameter);
+  return place.plate && design.stator.geometry ? plate_numbers(design)[index_of(*place.plate)]
+                                               : place.get(design);
 }
 
 bool in_use(const MotorDesign& design, Parameter parameter) {
-  const Stator& stator = design.stator;
-  const ContactLayer& layer = design.layer;
-  const bool sliced = design.stator.radial_slices != 1;
-  if (is_of_geometry(parameter)) return in_use_of_geometry(design, parameter);
-  if (stator.geometry && plate_number_of(parameter)) return false;
-  switch (parameter) {
-    case P::radial_slices:
-    case P::rotor_taper: return sliced;
-    case P::shape_exponent:
-    case P::shape_root: return sliced && !stator.geometry && stator.radial_shape.table.empty();
-    case P::frequency: return !stator.frequency_ratio;
-    case P::frequency_ratio: return stator.frequency_ratio.has_value();
-    case P::amplitude: return !stator.voltage;
-    case P::voltage: return stator.voltage.has_value();
-    case P::modal_damping: return !stator.quality_factor;
-    case P::quality_factor: return stator.quality_factor.has_value();
-    case P::resonance_frequency: return stator.resonance_frequency.has_value();
-    case P::modal_mass: return stator.modal_mass.has_value();
-    case P::force_factor:
-    case P::blocked_capacitance: return stator.force_factor.has_value();
-    case P::loss_tangent: return stator.geometry || stator.force_factor;
-    case P::voltage_ratio:
-    case P::phase_error:
-    case P::mode_splitting: return stator.imbalance.has_value();
-    case P::sensor_force_factor:
-    case P::sensor_capacitance:
-    case P::sensor_load_capacitance:
-    case P::sensor_position: return stator.sensor.has_value();
-    case P::sensor_load_resistance:
-      return stator.sensor.has_value() && stator.sensor->load_resistance.has_value();
-    case P::rotor_mass: return design.rotor.mass.has_value();
-    case P::poisson_ratio: return !layer.given_shear_modulus;
-    case P::shear_modulus: return layer.given_shear_modulus.has_value();
-    case P::loss_factor: return !layer.given_shear_viscosity;
-    case P::shear_viscosity: return layer.given_shear_viscosity.has_value();
-    case P::density: return !layer.given_inertia;
-    case P::inertia: return layer.given_inertia.has_value();
-    default: return true;
-  }
+  const ParameterPlace& place = place_of(parameter);
+  return !(place.plate && design.stator.geometry) && place.in_use(design);
 }
 
 bool is_given(const MotorDesign& design, Parameter parameter) {
   if (in_use(design, parameter)) return true;
-  switch (parameter) {
-    case P::shape_exponent:
-    case P::shape_root:
-      if (design.stator.geometry || !design.stator.radial_shape.table.empty()) return false;
-      [[fallthrough]];
-    case P::rotor_taper:
-    case P::blocked_capacitance:
-    case P::loss_tangent:
-      if (design.stator.geometry && plate_number_of(parameter)) return false;
-      return get(design, parameter) != 0;
-    default: return false;
-  }
+  const auto in_reserve = place_of(parameter).in_reserve;
+  return in_reserve != nullptr && in_reserve(design) && get(design, parameter) != 0;
+}
+
+std::optional<PlateNumber> plate_number_of(Parameter parameter) {
+  return place_of(parameter).plate;
+}
+
+std::optional<stator::Dimension> dimension_of(Parameter parameter) {
+  return place_of(parameter).dimension;
 }
 
 std::string complaint(Parameter parameter, double value) {
@@ -319,6 +187,7 @@ MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> valu
   for (const auto& [parameter, value] : values) {
     if (parameter == P::static_friction) set(result, parameter, value);
   }
+  keep_plate(result);
   if (const std::string wrong = contradiction(result); !wrong.empty()) throw InputError(wrong);
   if (const std::string wrong = track_complaint(result); !wrong.empty()) throw InputError(wrong);
   return result;

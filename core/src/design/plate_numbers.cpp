@@ -19,25 +19,6 @@ using stator::StatorModel;
 
 constexpr double kNoPlate = std::numeric_limits<double>::quiet_NaN();
 
-// Parameters and dimensions of the same name are the same number.
-std::optional<Dimension> dimension_named(std::string_view name) {
-  const auto& table = stator::dimension_table();
-  const auto row = std::find_if(table.begin(), table.end(),
-                                [=](const stator::DimensionInfo& one) { return one.name == name; });
-  if (row == table.end()) return {};
-  return static_cast<Dimension>(row - table.begin());
-}
-
-std::optional<Dimension> dimension_of(Parameter parameter) {
-  static const auto known = [] {
-    std::array<std::optional<Dimension>, kParameterCount> dimensions;
-    for (const ParameterInfo& row : parameter_table())
-      dimensions[index_of(row.parameter)] = dimension_named(row.name);
-    return dimensions;
-  }();
-  return known[index_of(parameter)];
-}
-
 // Teeth do not rotate with the cross section below them. Shear reduces the lever of the section only (P4.3).
 stator::Derived lever_of(const MotorDesign& design, const StatorModel& plate) {
   const auto& teeth = design.stator.geometry->teeth;
@@ -78,37 +59,7 @@ double slope_of(const MotorDesign& design, const StatorModel& plate, const stato
   return 0;
 }
 
-// The number of a geometry behind a parameter, const as the geometry is; null without its block.
-template <typename Geometry>
-auto find_number(Geometry& geometry, Parameter parameter) -> decltype(find(geometry, Dimension{})) {
-  if (parameter == P::electrodes_waves_per_phase) return &geometry.electrodes.waves_per_phase;
-  const auto dimension = dimension_of(parameter);
-  return dimension ? find(geometry, *dimension) : nullptr;
-}
-
-// Gives a value to electrode radii that were left out.
-void give_electrodes(stator::Electrodes& electrodes, Parameter parameter, double value) {
-  if (parameter == P::electrodes_inner_radius) electrodes.inner_radius = value;
-  if (parameter == P::electrodes_outer_radius) electrodes.outer_radius = value;
-}
-
-std::string block_of(Parameter parameter) {
-  const std::string_view name = info(parameter).name;
-  return std::string(name.substr(0, name.find('_')));
-}
-
 }  // namespace
-
-std::optional<PlateNumber> plate_number_of(Parameter parameter) {
-  switch (parameter) {
-    case P::neutral_plane_distance: return N::neutral_plane_distance;
-    case P::resonance_frequency: return N::resonance_frequency;
-    case P::modal_mass: return N::modal_mass;
-    case P::force_factor: return N::force_factor;
-    case P::blocked_capacitance: return N::blocked_capacitance;
-    default: return {};
-  }
-}
 
 std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design) {
   std::array<double, kPlateNumbers> values{};
@@ -156,47 +107,6 @@ std::array<double, kParameterCount> mode_separation_slopes(const MotorDesign& de
           slope_of(design, *plate, plate->mode_separation, index_of(N::mode_separation), parameter);
   }
   return slopes;
-}
-
-bool is_of_geometry(Parameter parameter) {
-  return parameter >= P::substrate_inner_radius && parameter <= P::electrodes_outer_radius;
-}
-
-double get_of_geometry(const MotorDesign& design, Parameter parameter) {
-  const auto& geometry = design.stator.geometry;
-  if (!geometry) return kNoPlate;
-  if (parameter == P::teeth_count) return geometry->teeth ? geometry->teeth->count : kNoPlate;
-  if (const double* number = find_number(*geometry, parameter)) return *number;
-  if (parameter == P::electrodes_inner_radius) return geometry->ceramic.inner_radius;
-  if (parameter == P::electrodes_outer_radius) return geometry->ceramic.outer_radius;
-  return kNoPlate;
-}
-
-bool in_use_of_geometry(const MotorDesign& design, Parameter parameter) {
-  const auto& geometry = design.stator.geometry;
-  if (!geometry) return false;
-  if (parameter == P::teeth_count) return geometry->teeth.has_value();
-  const bool of_glue = parameter > P::glue_thickness && parameter <= P::glue_density;
-  if (of_glue && geometry->glue.thickness == 0) return false;
-  return find_number(*geometry, parameter) != nullptr;
-}
-
-void set_of_geometry(MotorDesign& design, Parameter parameter, double value) {
-  auto& geometry = design.stator.geometry;
-  const std::string name(info(parameter).name);
-  if (!geometry)
-    throw InputError(
-        name +
-        " needs a stator that is given by its geometry; this one is given by its modal data");
-  give_electrodes(geometry->electrodes, parameter, value);
-  if (parameter == P::teeth_count && geometry->teeth) {
-    geometry->teeth->count = static_cast<int>(value);
-  } else if (double* number = find_number(*geometry, parameter)) {
-    *number = value;
-  } else {
-    throw InputError(name + " needs a stator with the block '" + block_of(parameter) +
-                     "' in its geometry");
-  }
 }
 
 std::string follows_from_geometry(const MotorDesign& design, Parameter parameter) {

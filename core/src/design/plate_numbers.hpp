@@ -38,6 +38,9 @@ constexpr std::size_t index_of(PlateNumber number) { return static_cast<std::siz
 /// The number of the plate that determines a parameter of a design with a geometry; nothing for other parameters.
 std::optional<PlateNumber> plate_number_of(Parameter parameter);
 
+/// The dimension of the plate that moves with a parameter; nothing for parameters of which it does not depend.
+std::optional<stator::Dimension> dimension_of(Parameter parameter);
+
 /// Values in the order of PlateNumber; NaN where the geometry gives no plate, and for mode_separation, which takes modes of
 /// other numbers of waves. Never throws.
 std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design);
@@ -51,17 +54,6 @@ std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
 /// @{
 double mode_separation(const MotorDesign& design);
 std::array<double, kParameterCount> mode_separation_slopes(const MotorDesign& design);
-/// @}
-
-/// @name Parameters of the geometry
-/// @{
-bool is_of_geometry(Parameter parameter);
-/// Value; NaN where the block is missing.
-double get_of_geometry(const MotorDesign& design, Parameter parameter);
-/// False if nothing depends on it: if its block is missing, and for a glue without thickness.
-bool in_use_of_geometry(const MotorDesign& design, Parameter parameter);
-/// @throws InputError if the design has no such block
-void set_of_geometry(MotorDesign& design, Parameter parameter, double value);
 /// @}
 
 /// The complaint that a parameter follows from the geometry and cannot be set; empty if it can.

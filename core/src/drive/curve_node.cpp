@@ -142,8 +142,8 @@ bool hides_folds(const CurveNode& a, const CurveNode& b) {
 }
 
 WarmStart start_between(const CurveNode& a, const CurveNode& b, double t) {
-  WarmStart start = t < 0.5 ? WarmStart::beyond(b.start, a.start, -t)
-                            : WarmStart::beyond(a.start, b.start, t - 1);
+  WarmStart start = t < 0.5 ? WarmStart::extrapolated(b.start, a.start, -t)
+                            : WarmStart::extrapolated(a.start, b.start, t - 1);
   if (!same_slices(a, b)) return start;
   const Hermite h(b.place - a.place, t);
   for (std::size_t k = 0; k < a.states.size(); ++k)

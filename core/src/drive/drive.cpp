@@ -24,10 +24,10 @@ TrackRule track_of(const MotorDesign& design) {
 Drive::Drive(const MotorDesign& design)
     : asked_(design.stator.branch),
       waves_(waves_of(design)),
-      branch_(followed(ForceLine(waves_, 0))) {}
+      branch_(follow_branch(ForceLine(waves_, 0))) {}
 
 // Keeps what others ask of H at rest.
-RunningBranch Drive::followed(const ForceLine& at_rest) {
+RunningBranch Drive::follow_branch(const ForceLine& at_rest) {
   extrema_ = at_rest.extrema();
   at_rest_ = at_rest.largest_held();
   return {waves_, at_rest, largest_at_rest(), asked_ == Branch::dead};

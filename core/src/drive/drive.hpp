@@ -41,7 +41,7 @@ class Drive {
   const RunningBranch& branch() const { return branch_; }
 
  private:
-  RunningBranch followed(const ForceLine& at_rest);
+  RunningBranch follow_branch(const ForceLine& at_rest);
 
   Branch asked_;
   DrivenWaves waves_;

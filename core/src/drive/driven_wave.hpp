@@ -117,7 +117,7 @@ class DrivenWaves {
   /// Upper bound of the contact's force on the wave per amplitude: that of full contact that sticks all round [N/m].
   double contact_stiffness() const;
   /// mu_0 a kappa F_N, bound of the traction's force (C20.4, D2.10) [N].
-  double traction_bound() const { return reach_ * model_.static_ * model_.tilt * model_.preload; }
+  double traction_bound() const { return reach_ * model_.threshold * model_.tilt * model_.preload; }
   /// Bound of the pressure's force [N].
   double pressure_bound() const { return reach_ * model_.preload; }
 

@@ -268,7 +268,7 @@ std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const Resp
     ResponseWave near = a;
     near.place = mixed(a.place, b.place), near.omega = omega;
     near.amplitude = mixed(a.amplitude, b.amplitude), near.speed = mixed(a.speed, b.speed);
-    const auto found = held_.polished(near);
+    const auto found = held_.solve_to_rounding(near);
     if (found && (found->amplitude - a.amplitude) * (found->amplitude - b.amplitude) <= 0)
       return found;
   }

@@ -92,14 +92,14 @@ HeldWaves::Guess HeldWaves::guess_of(const ResponseWave& wave) const {
 
 std::optional<ResponseWave> HeldWaves::held(double amplitude, double side,
                                             const Guess& guess) const {
-  auto wave = settled(amplitude, side, guess);
-  return wave ? wave : sought(amplitude, side, guess);
+  auto wave = solve_by_newton(amplitude, side, guess);
+  return wave ? wave : solve_by_secants(amplitude, side, guess);
 }
 
 // Solves (D5.1, D5.4) for omega^2 and the speed ratio together, starting from a nearby wave; each step solves one
 // contact. Nothing if the iteration does not converge, or converges to another wave.
-std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
-                                               const Guess& guess) const {
+std::optional<ResponseWave> HeldWaves::solve_by_newton(double amplitude, double side,
+                                                       const Guess& guess) const {
   const bool loaded = load_.given == Argument::torque && !guess.standing;
   if (waves_.has_static_excess() || guess.start == nullptr || (loaded && !(guess.torque_slope < 0)))
     return {};
@@ -155,8 +155,8 @@ double HeldWaves::torque_slope(const DrivenWaves& waves, const DrivenWave& wave)
 
 // Solves (D5.1) for omega^2 by secants that start as Picard steps, since the contact hardly depends on it. Each step
 // searches the speed.
-std::optional<ResponseWave> HeldWaves::sought(double amplitude, double side,
-                                              const Guess& guess) const {
+std::optional<ResponseWave> HeldWaves::solve_by_secants(double amplitude, double side,
+                                                        const Guess& guess) const {
   const double inertia = waves_.modes().mass * amplitude;
   double square = guess.omega * guess.omega, before = 0, step_before = 0, ratio = guess.speed_ratio;
   for (int i = 0; i < kMostPicards; ++i) {
@@ -199,7 +199,7 @@ bool HeldWaves::lasts(const ResponseWave& wave) const {
 
 // A Newton step for H = Theta u_0 and, if a torque is given, for that torque, at a fixed frequency. Broyden steps
 // follow, which solve one contact each.
-std::optional<ResponseWave> HeldWaves::polished(ResponseWave wave) const {
+std::optional<ResponseWave> HeldWaves::solve_to_rounding(ResponseWave wave) const {
   const DrivenWaves waves = waves_.at_frequency(wave.omega);
   const bool loaded = load_.given == Argument::torque && !wave.standing;
   const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);

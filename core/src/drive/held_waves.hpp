@@ -48,7 +48,7 @@ class HeldWaves {
   /// @param side  -1 for the lower flank, 1 for the upper, 0 for the resonance between them, for any drive force
   std::optional<ResponseWave> held(double amplitude, double side, const Guess& guess) const;
   /// The wave of a frequency, from one nearby.
-  std::optional<ResponseWave> polished(ResponseWave near) const;
+  std::optional<ResponseWave> solve_to_rounding(ResponseWave near) const;
   /// True if the wave and the rotor return after a disturbance.
   bool lasts(const ResponseWave& wave) const;
   Guess guess_of(const ResponseWave& wave) const;
@@ -60,8 +60,10 @@ class HeldWaves {
     bool standing;
   };
 
-  std::optional<ResponseWave> settled(double amplitude, double side, const Guess& guess) const;
-  std::optional<ResponseWave> sought(double amplitude, double side, const Guess& guess) const;
+  std::optional<ResponseWave> solve_by_newton(double amplitude, double side,
+                                              const Guess& guess) const;
+  std::optional<ResponseWave> solve_by_secants(double amplitude, double side,
+                                               const Guess& guess) const;
   double torque_slope(const DrivenWaves& waves, const DrivenWave& wave) const;
   bool stands(double amplitude, double torque_beyond_rest) const;
 

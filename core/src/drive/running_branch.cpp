@@ -71,7 +71,7 @@ void RunningBranch::search(const ForceLine& at_rest) {
   for (int i = 1; i <= kRules.speeds; ++i) {
     const ForceLine line(waves_, i * step, lowest, largest_amplitude(waves_),
                          ForceLine::Jumps::at_drive);
-    take(line, i * step);
+    trace_waves_of(line, i * step);
     holds.push_back(lowest_hold(line.extrema()));
   }
   const auto force = [&](std::size_t i) { return holds[i] ? holds[i]->force : HUGE_VAL; };
@@ -95,7 +95,7 @@ void RunningBranch::search_island(double near, double step, ForceExtremum hold) 
     const auto here = lowest_hold(line.extrema());
     if (!here) return HUGE_VAL;
     hold = *here;
-    if (here->force < waves_.drive()) take(line, speed), met = true;
+    if (here->force < waves_.drive()) trace_waves_of(line, speed), met = true;
     return here->force;
   };
   least_between("the least force of an island", force, near - step, near + step,
@@ -103,7 +103,7 @@ void RunningBranch::search_island(double near, double step, ForceExtremum hold) 
 }
 
 // The smallest wave is the dead one, unless it lags by more than a quarter of a turn.
-void RunningBranch::take(const ForceLine& line, double speed) {
+void RunningBranch::trace_waves_of(const ForceLine& line, double speed) {
   bool smallest = line.begins_below();
   for (const CurveNode& wave : line.held()) {
     if (!(wave.rise > 0)) continue;
@@ -115,7 +115,7 @@ void RunningBranch::take(const ForceLine& line, double speed) {
 void RunningBranch::trace(const CurveNode& wave, double speed) {
   if (known(speed, wave.amplitude)) return;
   const WaveCurve on(curve(0, fastest_));
-  if (const auto start = on.settled({wave.at.x, speed / unit_}, &wave.start))
+  if (const auto start = on.solve_at({wave.at.x, speed / unit_}, &wave.start))
     ++curves_, add_pieces(on.through(*start), {});
 }
 
@@ -149,13 +149,13 @@ void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool>
     pieces_.push_back({std::move(piece), runs_here, !runs_here || both, curves_});
     if (!waves_.has_static_excess()) continue;
     const CurveNode low = pieces_.back().nodes.front(), high = pieces_.back().nodes.back();
-    if (low.jump) leap(low, false, runs_here);
-    if (high.jump) leap(high, true, runs_here);
+    if (low.jump) continue_past_jump(low, false, runs_here);
+    if (high.jump) continue_past_jump(high, true, runs_here);
   }
 }
 
 // Beyond a jump of H, or speeds without a periodic state, the branch goes on with the nearest wave.
-void RunningBranch::leap(const CurveNode& from, bool upward, bool running) {
+void RunningBranch::continue_past_jump(const CurveNode& from, bool upward, bool running) {
   for (double d = 2 * kRules.shortest; d < kRules.longest_leap; d *= 2) {
     const double speed = from.parameter + (upward ? d : -d) * unit_;
     if (speed < 0 || speed > fastest_ || pieces_.size() > kRules.most_pieces) return;
@@ -169,7 +169,7 @@ void RunningBranch::leap(const CurveNode& from, bool upward, bool running) {
     if (!nearest) continue;
     if (known(speed, nearest->amplitude)) return;
     const WaveCurve on(curve(0, fastest_));
-    if (const auto start = on.settled({nearest->at.x, speed / unit_}, &nearest->start)) {
+    if (const auto start = on.solve_at({nearest->at.x, speed / unit_}, &nearest->start)) {
       add_pieces(on.follow(*start, upward), running);
       return;
     }
@@ -275,8 +275,8 @@ std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) con
   if (!fastest)
     return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
   std::optional<MotorPoint> point;
-  if (speed > fastest_) point = beyond(fastest->nodes.back(), speed);
-  if (speed < 0 && from_rest) point = beyond(from_rest->nodes.front(), speed);
+  if (speed > fastest_) point = continue_past_end(fastest->nodes.back(), speed);
+  if (speed < 0 && from_rest) point = continue_past_end(from_rest->nodes.front(), speed);
   if (!point && waves_.has_static_excess()) point = in_gap(speed, running);
   return point;
 }
@@ -284,8 +284,8 @@ std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) con
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. The wave is proven by its own
 // contact, which alone can tell whether its zones are those of the turns.
-std::optional<MotorPoint> RunningBranch::turned(double speed, const CurveGuess& guess,
-                                                const SolvedPoint& near) const {
+std::optional<MotorPoint> RunningBranch::solve_in_known_zones(double speed, const CurveGuess& guess,
+                                                              const SolvedPoint& near) const {
   if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
@@ -312,7 +312,8 @@ std::optional<MotorPoint> RunningBranch::turned(double speed, const CurveGuess& 
   return {};
 }
 
-std::array<const CurveNode*, 2> BranchPiece::beside(const CurveNode& a, const CurveNode& b) const {
+std::array<const CurveNode*, 2> BranchPiece::outer_neighbours(const CurveNode& a,
+                                                              const CurveNode& b) const {
   const std::uint64_t zones = a.solved.signature();
   if (b.solved.signature() != zones) return {};
   const auto if_like = [&](const CurveNode& n) {
@@ -329,16 +330,16 @@ std::optional<MotorPoint> RunningBranch::between(const Neighbours& nodes, double
   const double t = place_of(*a, *b, speed / unit_);
   const CurveNode& nearer = t < 0.5 ? *a : *b;
   if (nearer.parameter == speed && nearer.fold) return solved(nearer, speed, nearer.solved);
-  CurveGuess guess = guess_between(*a, *b, t, piece->beside(*a, *b));
+  CurveGuess guess = guess_between(*a, *b, t, piece->outer_neighbours(*a, *b));
   if (!waves_.splits())
-    if (auto point = turned(speed, guess, nearer.solved)) return point;
+    if (auto point = solve_in_known_zones(speed, guess, nearer.solved)) return point;
   const SolvedPoint near =
       solve_point(waves_.motor(guess.amplitude), speed, &guess.start, kRules.speed.states);
   if (near.status == PointStatus::ok && !near.jumps()) {
     guess.start = near.start();
     if (guess.states.size() != guess.start.size())
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
-    if (auto point = turned(speed, guess, near)) return point;
+    if (auto point = solve_in_known_zones(speed, guess, near)) return point;
   }
   const auto wave = curve(speed, speed).between(*a, *b, speed / unit_);
   return wave ? solved(*wave, speed, near) : std::nullopt;
@@ -353,13 +354,14 @@ std::optional<MotorPoint> RunningBranch::solved(const CurveNode& wave, double sp
 }
 
 // Where the curves were not followed: on from the last wave, by steps as long as they may be.
-std::optional<MotorPoint> RunningBranch::beyond(const CurveNode& last, double speed) const {
+std::optional<MotorPoint> RunningBranch::continue_past_end(const CurveNode& last,
+                                                           double speed) const {
   const bool upward = speed > last.parameter;
   const WaveCurve on = curve(std::fmin(speed, 0), std::fmax(speed, 0), HUGE_VAL);
   const std::vector<CurveNode> nodes = on.follow(last, upward);
   const double y = speed / unit_;
   if (nodes.back().at.y != y || nodes.back().fold) return {};
-  const auto wave = on.polished(nodes.back());
+  const auto wave = on.solve_to_rounding(nodes.back());
   return wave ? solved(*wave, speed, nodes.back().solved) : std::nullopt;
 }
 

@@ -24,7 +24,7 @@ struct BranchPiece {
   /// The neighbouring nodes about a speed.
   std::pair<const CurveNode*, const CurveNode*> around(double speed) const;
   /// The nodes beside two neighbours, null where they have other zones than both.
-  std::array<const CurveNode*, 2> beside(const CurveNode& a, const CurveNode& b) const;
+  std::array<const CurveNode*, 2> outer_neighbours(const CurveNode& a, const CurveNode& b) const;
 };
 
 /// The waves of a motor over the rotor speed, as curves that are followed once. Every answer starts from their nodes, so that it does
@@ -58,9 +58,9 @@ class RunningBranch {
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
   void search(const ForceLine& at_rest);
   void search_island(double near, double step, ForceExtremum hold);
-  void take(const ForceLine& line, double speed);
+  void trace_waves_of(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);
-  void leap(const CurveNode& from, bool upward, bool running);
+  void continue_past_jump(const CurveNode& from, bool upward, bool running);
   void add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running);
   bool known(double speed, double amplitude) const;
   bool passes(const BranchPiece& piece, double speed, double amplitude) const;
@@ -77,9 +77,9 @@ class RunningBranch {
   Neighbours about(double speed, bool running) const;
   std::optional<MotorPoint> between(const Neighbours& nodes, double speed) const;
   std::optional<MotorPoint> outside(double speed, bool running) const;
-  std::optional<MotorPoint> turned(double speed, const CurveGuess& guess,
-                                   const SolvedPoint& near) const;
-  std::optional<MotorPoint> beyond(const CurveNode& last, double speed) const;
+  std::optional<MotorPoint> solve_in_known_zones(double speed, const CurveGuess& guess,
+                                                 const SolvedPoint& near) const;
+  std::optional<MotorPoint> continue_past_end(const CurveNode& last, double speed) const;
   std::optional<MotorPoint> in_gap(double speed, bool running) const;
   std::optional<MotorPoint> solved(const CurveNode& wave, double speed,
                                    const SolvedPoint& near) const;

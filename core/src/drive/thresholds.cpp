@@ -78,9 +78,7 @@ const std::vector<ForceExtremum>& Thresholds::extrema() {
 Threshold Thresholds::voltage(bool start) {
   const std::optional<ForceExtremum> e = chosen(extrema(), start);
   if (!e) return {0, 0, frequency_};
-  const StatorModes<double>& m = waves_.modes();
-  const double force_per_volt = std::numbers::sqrt2 * m.force_factor * m.unequal.share();
-  return {e->force / force_per_volt, e->amplitude, frequency_, e->beyond_kink};
+  return {waves_.modes().rms_voltage(e->force), e->amplitude, frequency_, e->beyond_kink};
 }
 
 Threshold Thresholds::frequency(bool start) {
@@ -155,7 +153,7 @@ void Thresholds::follow_frequency() {
                          {HUGE_VAL, plane.coordinate(2 * stuck)}},
                         kRules.frequency);
   const auto from =
-      curve.settled({at_rest_->at.x, plane.coordinate(waves_.omega())}, &at_rest_->start);
+      curve.solve_at({at_rest_->at.x, plane.coordinate(waves_.omega())}, &at_rest_->start);
   if (!from) return;
   const bool dead = !extrema().empty() && at_rest_->amplitude < extrema().back().amplitude;
   for (const bool upward : {dead, !dead}) {

@@ -86,7 +86,7 @@ std::optional<CurveNode> WaveCurve::corrected(PlanePoint p, const WarmStart* gue
   return {};
 }
 
-std::optional<CurveNode> WaveCurve::settled(PlanePoint near, const WarmStart* guess) const {
+std::optional<CurveNode> WaveCurve::solve_at(PlanePoint near, const WarmStart* guess) const {
   double off = 0;
   return corrected(near, guess, Correction::at_its_y, kRules.straight, kRules.extremum, off,
                    nullptr);
@@ -111,8 +111,8 @@ double WaveCurve::longest(const CurveNode& from) const {
 }
 
 // The next wave of a curve, a step from its last one, or on the border if that is nearer.
-std::optional<CurveNode> WaveCurve::stepped(const std::vector<CurveNode>& curve, double length,
-                                            double& off, bool& lands) const {
+std::optional<CurveNode> WaveCurve::take_step(const std::vector<CurveNode>& curve, double length,
+                                              double& off, bool& lands) const {
   const CurveNode& a = curve.back();
   const CurveNode* before = curve.size() > 1 ? &a - 1 : nullptr;
   const double t = before ? 1 + length / (a.place - before->place) : 0;
@@ -158,7 +158,7 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
   while (static_cast<int>(curve.size()) < kRules.most_nodes) {
     double off = 0;
     bool lands = false;
-    std::optional<CurveNode> next = stepped(curve, length, off, lands);
+    std::optional<CurveNode> next = take_step(curve, length, off, lands);
     const CurveNode& last = curve.back();
     if (next && goes_back(last, *next)) turn_back(*next);
     const bool bends =
@@ -355,7 +355,7 @@ std::optional<CurveNode> WaveCurve::between(const CurveNode& a, const CurveNode&
               high + (is_fold_at(high) ? 0 : slack));
 }
 
-std::optional<CurveNode> WaveCurve::polished(const CurveNode& n) const {
+std::optional<CurveNode> WaveCurve::solve_to_rounding(const CurveNode& n) const {
   return root(n.at, n.start, n.solved, n.rise > 0, n.at.x - kRules.speed.settled,
               n.at.x + kRules.speed.settled);
 }

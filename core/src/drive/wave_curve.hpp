@@ -25,7 +25,7 @@ class WaveCurve {
       : plane_(plane), range_(range), steps_(steps) {}
 
   /// The wave near a point at its y.
-  std::optional<CurveNode> settled(PlanePoint near, const WarmStart* guess = nullptr) const;
+  std::optional<CurveNode> solve_at(PlanePoint near, const WarmStart* guess = nullptr) const;
   /// Says that a curve has been followed far enough.
   using Stop = std::function<bool(const std::vector<CurveNode>&)>;
   /// From a wave on, towards larger or smaller y, to the border of the range, a jump of H, or back to the wave. Folds are nodes.
@@ -40,7 +40,7 @@ class WaveCurve {
   std::optional<CurveNode> between(const CurveNode& a, const CurveNode& b, double y) const;
 
   /// A wave that is right to rounding, from one that is nearly so.
-  std::optional<CurveNode> polished(const CurveNode& near) const;
+  std::optional<CurveNode> solve_to_rounding(const CurveNode& near) const;
 
   const ForcePlane& plane() const { return plane_; }
   /// Zones followed.
@@ -56,8 +56,8 @@ class WaveCurve {
                                      double reach, double settled, double& first,
                                      const SolvedPoint* near) const;
   double settled_on(double length) const;
-  std::optional<CurveNode> stepped(const std::vector<CurveNode>& curve, double length, double& off,
-                                   bool& lands) const;
+  std::optional<CurveNode> take_step(const std::vector<CurveNode>& curve, double length,
+                                     double& off, bool& lands) const;
   std::optional<CurveNode> fold(const CurveNode& a, const CurveNode& b) const;
   std::optional<CurveNode> on_curve(PlanePoint p, const WarmStart& start, double settled) const;
   bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high, double& rise_low,

@@ -39,14 +39,14 @@ class Holding {
         speed_(speed),
         control_(control) {}
 
-  HeldPoint held() const { return found(Sought::drive); }
-  HeldPoint with_least_voltage() const { return found(Sought::least_voltage); }
+  HeldPoint held() const { return search(Sought::drive); }
+  HeldPoint with_least_voltage() const { return search(Sought::least_voltage); }
 
  private:
   // The wave of the drive's voltage (Y2.3), or that with R = 0.
   enum class Sought : bool { drive, least_voltage };
 
-  HeldPoint found(Sought sought) const {
+  HeldPoint search(Sought sought) const {
     const double torque = loaded_.torque(), most = loaded_.plateau();
     const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
     if (!transmitted && !waves_.has_static_excess())
@@ -57,10 +57,10 @@ class Holding {
                   : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
       if (const auto held = by_newton(loaded_.within(*ends), sought)) return *held;
-    auto wave = loaded_.settled(*ends);
+    auto wave = loaded_.solve_between(*ends);
     if (!wave) return without_wave(HeldStatus::no_periodic_state);
     return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), sought)
-                                               : told(*wave);
+                                               : held_point_of(*wave);
   }
 
   // (Y2.1) together with (Y2.3) or R = 0 by Newton's method. Nothing where that does not lead straight to
@@ -80,7 +80,7 @@ class Holding {
       const double grown = (missing * in_omega + gap * w.torque_in_omega) / determinant,
                    raised = (-gap * w.torque_in_amplitude - missing * in_amplitude) / determinant;
       const double size = std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega);
-      if (size <= kHeldRules.settled) return told(w);
+      if (size <= kHeldRules.settled) return held_point_of(w);
       if (!(size < last) || !(size < kHeldRules.longest_newton)) return {};
       last = size;
       w = loaded_.at(w.amplitude + grown, w.omega + raised, &w);
@@ -105,14 +105,14 @@ class Holding {
       const double room = kHeldRules.longest_in_frequency * w.omega;
       if (std::fabs(step) > room) step = std::copysign(room, step);
       if (std::fabs(step) <= kHeldRules.settled * w.omega) {
-        HeldPoint found = told(w);
+        HeldPoint found = held_point_of(w);
         if (square < 0) found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
         return found;
       }
-      auto next = loaded_.followed(w, w.omega + step);
+      auto next = loaded_.solve_at_frequency(w, w.omega + step);
       if (!next)
         if (auto ends = loaded_.first_reached(w.omega + step).found)
-          next = loaded_.settled(std::move(*ends));
+          next = loaded_.solve_between(std::move(*ends));
       if (!next) return without_wave(HeldStatus::no_periodic_state);
       w = std::move(*next);
     }
@@ -125,15 +125,11 @@ class Holding {
     return waves_.drive() * waves_.drive() - w.force.imaginary * w.force.imaginary;
   }
 
-  double rms_of(double force) const {
-    return std::numbers::sqrt2 / 2 * force / modes_->force_factor / modes_->unequal.share();
-  }
-
-  HeldPoint told(const LoadedWave& w) const {
+  HeldPoint held_point_of(const LoadedWave& w) const {
     HeldPoint held;
     held.needed = kNoValue;
     held.amplitude = w.amplitude, held.frequency = w.omega / (2 * std::numbers::pi);
-    held.voltage = modes_ ? rms_of(w.force.force()) : kNoValue;
+    held.voltage = modes_ ? modes_->rms_voltage(w.force.force()) : kNoValue;
     const DrivenWaves there = waves_.at_frequency(w.omega);
     held.radial_slices = waves_.model().track.nodes;
     held.point = operating_point_of(there.motor(w.amplitude), w.slopes.solved, speed_,

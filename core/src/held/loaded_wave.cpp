@@ -36,7 +36,7 @@ LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* nea
 }
 
 // Newton's method in a bracket, halving where it leaves it.
-std::optional<LoadedWave> LoadedWaves::settled(Bracket ends) const {
+std::optional<LoadedWave> LoadedWaves::solve_between(Bracket ends) const {
   auto& [low, high] = ends;
   LoadedWave w = high;
   for (int i = 0; i < kHeldRules.most_tries; ++i) {
@@ -126,7 +126,8 @@ LoadedWave LoadedWaves::within(const Bracket& ends) const {
   return at(low.amplitude + share * (high.amplitude - low.amplitude), high.omega, &high);
 }
 
-std::optional<LoadedWave> LoadedWaves::followed(const LoadedWave& known, double omega) const {
+std::optional<LoadedWave> LoadedWaves::solve_at_frequency(const LoadedWave& known,
+                                                          double omega) const {
   const double slope = -known.torque_in_omega / known.torque_in_amplitude;
   LoadedWave w = at(known.amplitude + slope * (omega - known.omega), omega, &known);
   double last = HUGE_VAL;

@@ -67,9 +67,9 @@ class LoadedWaves {
   /// A wave between them, from which Newton's method leads to the load.
   LoadedWave within(const Bracket& ends) const;
   /// The wave between them that carries the load (Y2.1); nothing where the torque jumps past it, or has no periodic state.
-  std::optional<LoadedWave> settled(Bracket ends) const;
+  std::optional<LoadedWave> solve_between(Bracket ends) const;
   /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
-  std::optional<LoadedWave> followed(const LoadedWave& known, double omega) const;
+  std::optional<LoadedWave> solve_at_frequency(const LoadedWave& known, double omega) const;
 
  private:
   std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;

@@ -84,7 +84,7 @@ DrivenMotor<ModelDual> moving_motor(const Motor& motor) {
 Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
   if (is_trivial(m)) return Smoothness::undefined;
   if (p.special || p.locks_in_part()) return Smoothness::one_sided;
-  const bool may_kink = m.static_ > m.kinetic || m.inertia > 0;
+  const bool may_kink = m.threshold > m.kinetic || m.inertia > 0;
   const bool kinks =
       may_kink && (p.shortest_zone() < kVanishing || zones_change_beside(m, p, speed));
   return kinks ? Smoothness::one_sided : Smoothness::smooth;

@@ -32,7 +32,8 @@ MetricStatus status_of(HeldStatus status) {
 
 // A metric without argument has no held value, nor has what is given: the torque or the speed.
 bool has_held_value(const MetricRequest& request) {
-  if (request.argument != Argument::both) return true;  // the envelope
+  if (request.argument != Argument::both) return true;
+  if (request.metric == Metric::voltage_reserve_at) return false;  // its drive does not follow
   const Argument argument = info(request.metric).argument;
   return argument == Argument::both || argument == Argument::speed_or_torque;
 }
@@ -133,6 +134,12 @@ double HeldMetrics::value(const MetricRequest& request) {
       if (!std::isfinite(found.share)) throw SearchFailure{status_of(found.wave.status)};
       return found.share;
     }
+    case Metric::voltage_reserve_at: {
+      if (!design_.stator.voltage) throw SearchFailure{MetricStatus::undefined};
+      const HeldPoint least = least_voltage(request).wave;
+      if (!(least.voltage > 0)) throw SearchFailure{status_of(least.status)};
+      return *design_.stator.voltage / least.voltage - 1;  // (Y5.5)
+    }
     default: break;
   }
   const Known& one = known(request.torque, request.at);
@@ -144,7 +151,9 @@ double HeldMetrics::value(const MetricRequest& request) {
 }
 
 MetricValue HeldMetrics::evaluate(const MetricRequest& request) {
-  const bool at_rest = request.metric != Metric::held_speed_limit_at && !(request.at > 0);
+  const bool needs_speed =
+      request.metric != Metric::held_speed_limit_at && request.metric != Metric::voltage_reserve_at;
+  const bool at_rest = needs_speed && !(request.at > 0);
   // at rest friction holds
   if (!has_held_value(request) || at_rest) return {kNoValue, MetricStatus::undefined};
   try {
@@ -178,6 +187,9 @@ MetricDerivative HeldMetrics::differentiate(const MetricRequest& request,
     case Metric::drive_reserve_at:
       result = of_drive_reserve(request, found, fixed_static_friction);
       break;
+    case Metric::voltage_reserve_at:
+      result = of_voltage_reserve(request, found, fixed_static_friction);
+      break;
     default: result = of_wave(request, found, fixed_static_friction);
   }
   if (result.smoothness == Smoothness::undefined) return without_derivative(found);
@@ -210,7 +222,7 @@ MetricDerivative HeldMetrics::of_wave(const MetricRequest& request, const Metric
               : keeping(rows.torque);
   const std::vector<MetricRequest> asked{{request.metric, Argument::speed, request.at}};
   MetricDerivative result = twum::differentiate(*one.motor, asked, fixed).front();
-  result.gradient = slopes.followed({result.gradient, 0}).in;
+  result.gradient = slopes.along_wave({result.gradient, 0}).in;
   result.smoothness = std::max(result.smoothness, smoothness_of(rows));
   if (result.smoothness == Smoothness::flat) result.smoothness = Smoothness::smooth;
   return result;
@@ -223,11 +235,40 @@ MetricDerivative HeldMetrics::of_envelope(const MetricRequest& request, const Me
   const Motor motor(with_held_wave(design_, at.wave));
   const WaveRows rows = wave_rows(motor, at.speed, at.end != DriveEnd::amplitude, fixed);
   if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
-  const Row torque = slopes_at_end(design_, at.end, rows).followed(rows.torque);
+  const Row torque = slopes_at_end(design_, at.end, rows).along_wave(rows.torque);
   MetricDerivative result{value, torque.in, smoothness_of(rows)};
   if (request.metric ==
       Metric::held_speed_limit_at)  // the torque at the end of the drive stays (Y4.3)
     for (double& d : result.gradient) d /= -torque.in_speed;
+  return result;
+}
+
+LeastVoltage HeldMetrics::least_voltage(const MetricRequest& request) {
+  return request.argument == Argument::torque
+             ? least_voltage_at_torque(design_, envelope().with_wave(request.at))
+             : least_voltage_at_speed(design_, request.at);
+}
+
+// At its minimum the voltage does not change with the speed, or with the amplitude: what is left are the derivatives of the wave
+// that keeps torque and speed, or amplitude and speed, at the frequency of the drive.
+MetricDerivative HeldMetrics::of_voltage_reserve(const MetricRequest& request,
+                                                 const MetricValue& value, bool fixed) {
+  const LeastVoltage least = least_voltage(request);
+  const Motor motor(with_held_wave(design_, least.wave));
+  WaveRows rows = wave_rows(motor, least.speed, true, fixed);
+  if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
+  Row needs = rows.voltage;
+  if (request.argument == Argument::torque) {
+    if (const double nearest = envelope().with_wave(request.at); nearest != request.at)
+      rows.torque = less(rows.torque, of_largest_torque(fixed).gradient,
+                         nearest / envelope().largest_torque());
+    needs = keeping(rows.torque).along_wave(rows.voltage);
+  }
+  needs[Parameter::amplitude] = 0;
+  MetricDerivative result{value, {}, smoothness_of(rows)};
+  const double per_need = -(value.value + 1) / least.wave.voltage;
+  for (std::size_t p = 0; p < kParameterCount; ++p) result.gradient[p] = per_need * needs.in[p];
+  result.gradient[index_of(Parameter::voltage)] += 1 / least.wave.voltage;
   return result;
 }
 
@@ -254,16 +295,17 @@ MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
     case DriveEnd::amplitude: {
       Row needs;
       needs[Parameter::amplitude] = 1;
-      set(keeping(rows.torque).followed(needs), -(value.value + 1) / amplitude,
+      set(keeping(rows.torque).along_wave(needs), -(value.value + 1) / amplitude,
           Parameter::amplitude, 1 / amplitude);
       break;
     }
     case DriveEnd::voltage:
-      set((follows ? keeping(rows.torque, rows.lag) : keeping(rows.torque)).followed(rows.voltage),
+      set((follows ? keeping(rows.torque, rows.lag) : keeping(rows.torque))
+              .along_wave(rows.voltage),
           -(value.value + 1) / voltage, Parameter::voltage, 1 / voltage);
       break;
     case DriveEnd::upper_flank:  // -cos of the lag
-      set(keeping(rows.torque).followed(rows.lag), std::sin(there.wave.point.phase_lag),
+      set(keeping(rows.torque).along_wave(rows.lag), std::sin(there.wave.point.phase_lag),
           Parameter::voltage, 0);
       break;
     case DriveEnd::frequency: {
@@ -273,7 +315,8 @@ MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
       needs[Parameter::frequency] = 1;
       const bool low =
           there.wave.frequency / range.first - 1 <= 1 - there.wave.frequency / range.second;
-      set(keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage)).followed(needs),
+      set(keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage))
+              .along_wave(needs),
           low ? 1 / range.first : -1 / range.second, Parameter::voltage, 0);
       break;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "held/envelope.hpp"
+#include "held/least_voltage.hpp"
 
 #include <twum/core/metrics.hpp>
 
@@ -10,10 +11,11 @@
 
 namespace twum::core {
 
-/// True for what HeldMetrics answers: metrics at a torque and a speed, and the envelope.
+/// True for what HeldMetrics answers: metrics at a torque and a speed, the envelope, and the reserve of a fixed drive.
 constexpr bool is_held(const MetricRequest& request) {
   return request.argument == Argument::both || request.metric == Metric::held_speed_limit_at ||
-         request.metric == Metric::held_torque_limit_at;
+         request.metric == Metric::held_torque_limit_at ||
+         request.metric == Metric::voltage_reserve_at;
 }
 
 /// Metrics where the drive holds a torque at a speed (Y2.5): those of the motor under the held wave, at the speed. A wave
@@ -42,6 +44,9 @@ class HeldMetrics {
   MetricDerivative of_envelope(const MetricRequest& request, const MetricValue& value, bool fixed);
   MetricDerivative of_drive_reserve(const MetricRequest& request, const MetricValue& value,
                                     bool fixed);
+  LeastVoltage least_voltage(const MetricRequest& request);
+  MetricDerivative of_voltage_reserve(const MetricRequest& request, const MetricValue& value,
+                                      bool fixed);
   MetricDerivative of_largest_torque(bool fixed);
   Envelope::Corner corner(const MetricRequest& request);
 

@@ -56,6 +56,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::pull_out_margin_at:
     case M::torque_reserve_at:
     case M::drive_reserve_at:
+    case M::voltage_reserve_at:
     // numbers of the motor, see metric_row()
     case M::ceramic_stress_at:
     case M::max_overall_efficiency:
@@ -255,7 +256,8 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::held_torque_limit_at:
     case M::pull_out_margin_at:
     case M::torque_reserve_at:
-    case M::drive_reserve_at: throw SearchFailure{MetricStatus::undefined};  // see HeldMetrics
+    case M::drive_reserve_at:
+    case M::voltage_reserve_at: throw SearchFailure{MetricStatus::undefined};  // see HeldMetrics
   }
   const typename Answers::Number speed =
       request.argument == Argument::torque

@@ -10,6 +10,7 @@
 #include "point/slice_count.hpp"
 
 #include <twum/core/parameters.hpp>
+#include <twum/core/plate.hpp>
 
 #include <twum/base/error.hpp>
 
@@ -29,8 +30,10 @@ std::string speed_text(double speed) {
 
 }  // namespace
 
-Motor::Motor(const MotorDesign& design) : design_(design) {
+Motor::Motor(const MotorDesign& asked) : design_(asked) {
   const core::HeldTraps held;
+  keep_plate(design_);
+  const MotorDesign& design = design_;
   require_motor(design);
   if (const auto modes = core::stator_modes(design))
     modes_ = std::make_shared<const core::StatorModes<double>>(*modes);

@@ -83,7 +83,7 @@ CurvePoint DrivenCurve::point(double speed, const WarmStart*, double) const {
   return curve_point(speed, at.motor, at.solved, &drive_.waves().modes());
 }
 
-std::vector<CurvePoint> DrivenCurve::followed() const {
+std::vector<CurvePoint> DrivenCurve::known_points() const {
   std::vector<CurvePoint> points;
   if (may_jump() || !drive_.runs()) return points;
   const DrivenWaves& waves = drive_.waves();

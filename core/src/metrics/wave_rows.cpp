@@ -51,7 +51,7 @@ WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_stat
   return rows;
 }
 
-Row WaveSlopes::followed(Row row) const {
+Row WaveSlopes::along_wave(Row row) const {
   const double in_amplitude = row[Parameter::amplitude], in_frequency = row[Parameter::frequency];
   row[Parameter::amplitude] = row[Parameter::frequency] = 0;
   const Row moved = combined(amplitude, in_amplitude, frequency, in_frequency);

@@ -32,7 +32,7 @@ struct WaveSlopes {
   Row amplitude, frequency;
 
   /// A row with the wave following.
-  Row followed(Row row) const;
+  Row along_wave(Row row) const;
 };
 
 /// Both follow.

@@ -25,8 +25,8 @@ struct ContactScalar<ModelDual2> {
 /// The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
 template <typename S>
 std::array<S, 7> listed(const contact::ContactNumbers<S>& n) {
-  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
-          n.kinetic, n.static_};
+  return {n.inertia, n.damping,  n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
+          n.kinetic, n.threshold};
 }
 
 /// Seeds the seven numbers as independent variables.

@@ -37,7 +37,7 @@ DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
   static_cast<MotorModel<T>&>(r) = {
       c(m.n),       c(m.r),          c(m.b),       c(m.kappa),          c(m.tilt),
       c(m.youngs),  c(m.thickness),  c(m.shear),   c(m.viscosity),      c(m.inertia),
-      c(m.kinetic), c(m.static_),    c(m.preload), c(m.stator_damping), {},
+      c(m.kinetic), c(m.threshold),  c(m.preload), c(m.stator_damping), {},
       c(m.slope),   c(m.compliance), m.track};
   std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
   static_cast<Slice<T>&>(r) = mapped<T>(static_cast<const Slice<S>&>(m), c);

@@ -67,7 +67,7 @@ struct MotorModel {
   S n, r, b, kappa;
   S tilt;  ///< kappa a, slope of the surface per amplitude of the wave
   S youngs, thickness, shear, viscosity, inertia;
-  S kinetic, static_, preload, stator_damping;
+  S kinetic, threshold, preload, stator_damping;
   /// Exponent and root (W1.3), or the coefficients of a mode's polynomial, from that of x on (P8.1).
   std::array<S, kShapeNumbers> shape_numbers;
   S slope;       ///< tan(taper) of the rotor's face
@@ -78,7 +78,7 @@ struct MotorModel {
 /// mu_0 > mu: released at once, the traction jumps.
 template <typename S>
 bool has_static_excess(const MotorModel<S>& m) {
-  return value_of(m.static_) > value_of(m.kinetic);
+  return value_of(m.threshold) > value_of(m.kinetic);
 }
 
 /// The torque may jump over speed and parameters: each slice jumps at its own speed. If the track is split at the jumps (W4.5),
@@ -207,7 +207,7 @@ MotorModel<S> motor_model(const ModelArray<S>& p, const TrackRule& track = {}) {
   m.youngs = at(P::youngs_modulus), m.thickness = at(P::thickness);
   m.shear = at(P::shear_modulus), m.viscosity = at(P::shear_viscosity);
   m.inertia = at(P::inertia);
-  m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
+  m.kinetic = at(P::kinetic_friction), m.threshold = at(P::static_friction);
   m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
   m.compliance = 1.0 / m.shear;
   using std::cos, std::sin;
@@ -270,7 +270,7 @@ S lever_of(std::span<const Slice<S>> slices, const S& preload) {
 /// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
 template <typename S>
 bool is_trivial(const DrivenMotor<S>& m) {
-  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.static_) == 0 ||
+  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.threshold) == 0 ||
          (m.annulus.empty() && value_of(m.contact.half_angle) == 0);
 }
 
@@ -323,7 +323,7 @@ contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<
           R(slice.contact.half_angle),
           R(slice.peak),
           R(m.kinetic),
-          R(m.static_),
+          R(m.threshold),
           {R(slice.edge.sin), R(slice.edge.cos), R(slice.edge.versine)},
           slice.contact.full};
 }
@@ -336,7 +336,7 @@ contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& spe
 /// mu_0 F_N r (T7.8), over an annulus (W3.6): torque held at rest without drive [N m].
 template <typename S>
 S holding_torque(const DrivenMotor<S>& m) {
-  return m.static_ * m.preload * m.holding_lever;
+  return m.threshold * m.preload * m.holding_lever;
 }
 
 /// mu F_N r, over an annulus (W3.5): the torque of a contact that slips all through [N m].

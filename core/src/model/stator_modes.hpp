@@ -61,6 +61,11 @@ struct StatorModes {
   UnequalPhases<S> unequal{};
   std::optional<S> rotor_mass{};  ///< [kg]
   std::optional<SensorCircuit<S>> sensor{};
+
+  /// Voltage of the first phase, rms, whose drive has a force [V].
+  S rms_voltage(const S& force) const {
+    return force / (std::numbers::sqrt2 * force_factor * unequal.share());
+  }
 };
 
 /// The modes of a design; nothing without modal data.

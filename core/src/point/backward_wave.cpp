@@ -17,7 +17,7 @@ double slip_sign(ZoneState state) { return static_cast<double>(state); }
 
 // An elastic layer: the change of its traction by a small disturbance has a closed form (D6.3).
 bool is_elastic(const DrivenMotor<double>& m) {
-  return m.inertia == 0 && m.viscosity == 0 && m.static_ == m.kinetic;
+  return m.inertia == 0 && m.viscosity == 0 && m.threshold == m.kinetic;
 }
 
 // The zones of a slice; none where the theory has no answer.

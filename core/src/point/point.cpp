@@ -41,7 +41,7 @@ constexpr double kBalance = 1e-6, kBeyond = 1e-9;
 // that is not finite breaks them too.
 bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, double speed,
                 double lever) {
-  const double most = m.static_ * m.preload * lever;
+  const double most = m.threshold * m.preload * lever;
   double fastest = std::fabs(speed);
   for (const Slice<double>& s : m.slices())
     fastest = std::max(s.crest_velocity / s.radius, fastest);
@@ -63,7 +63,7 @@ bool drags_steadily(const DrivenMotor<double>& m, double speed) {
   const double sigma = speed > 0 ? 1 : -1;
   const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
   const contact::FreeMotion<double> motion =
-      layer.start({-sigma * (m.static_ - m.kinetic), -drift});
+      layer.start({-sigma * (m.threshold - m.kinetic), -drift});
   const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1, 0}, 1e300,
                                  {0, 1, 0});
   long samples = 0;
@@ -81,9 +81,9 @@ struct Lock {
   Lock(const DrivenMotor<S>& m, const Slice<S>& slice) {
     using std::sqrt;
     const contact::ContactNumbers<S> n = contact_numbers(m, slice, S(0.0));
-    const S mean = n.static_ * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
-    const S forward = n.static_ + n.damping * n.stick_rate,
-            back = n.static_ - n.damping * n.stick_rate;
+    const S mean = n.threshold * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
+    const S forward = n.threshold + n.damping * n.stick_rate,
+            back = n.threshold - n.damping * n.stick_rate;
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);
     damping_work = 0.5 * n.damping * n.stick_rate;
@@ -101,7 +101,7 @@ bool locks_at_rest(const DrivenMotor<S>& m, const Slice<S>& slice) {
 }
 
 bool locks_at_rest(const DrivenMotor<double>& m) {
-  if (m.static_ == 0 || m.preload == 0) return false;
+  if (m.threshold == 0 || m.preload == 0) return false;
   if (m.amplitude == 0) return true;
   const auto slices = m.slices();
   return std::all_of(slices.begin(), slices.end(),
@@ -127,7 +127,7 @@ PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   const auto slices = m.slices();
   R force = slices[0].pressure_force + zero;
   for (const Slice<S>& s : slices.subspan(1)) force = force + s.pressure_force;
-  if (value_of(m.static_) == 0 || value_of(m.preload) == 0)
+  if (value_of(m.threshold) == 0 || value_of(m.preload) == 0)
     return {zero, zero, zero, zero, zero, force};
   if (value_of(m.amplitude) == 0) {
     // At rest the limit of forward speeds, as everywhere.
@@ -191,7 +191,7 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<do
   if (k == 1 || !slice(k - 2).helps()) return last;
   const double t =
       (slices[k].radius - slices[k - 1].radius) / (slices[k - 1].radius - slices[k - 2].radius);
-  return WarmStart::beyond(slice(k - 2).start(), last, t);
+  return WarmStart::extrapolated(slice(k - 2).start(), last, t);
 }
 
 SolvedSlice::SolvedSlice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
@@ -317,7 +317,7 @@ std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m,
     if (lap.status != contact::LapStatus::ok) return {};
     at.zones = lap.sequence, at.followed = true;
     const double gap = contact::distance(layer, at.layer, lap.next.layer);
-    turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
+    turn.gap = std::fmax(turn.gap, gap / (n.threshold * n.peak));
     const contact::StateSlopes& moves = states[k];
     const contact::LayerState<double> d =
         moves.resolvent * contact::difference(lap.next.layer, at.layer);
@@ -334,7 +334,7 @@ SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) 
   point.special = true;
   point.numbers = special_point(m, speed);
   const bool steady =
-      is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
+      is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.threshold == m.kinetic;
   if (!steady) point.status = PointStatus::no_periodic_state;
   return point;
 }

@@ -63,14 +63,14 @@ class WarmStart {
   std::size_t size() const { return 1 + others_.size(); }
 
   /// From `a` on through `b`, by t times their distance beyond `b`.
-  static WarmStart beyond(const WarmStart& a, const WarmStart& b, double t) {
+  static WarmStart extrapolated(const WarmStart& a, const WarmStart& b, double t) {
     if (a.size() != b.size()) return b;
-    WarmStart start(beyond(a.first_, b.first_, t), b.others_);
+    WarmStart start(extrapolated(a.first_, b.first_, t), b.others_);
     for (std::size_t k = 0; k < start.others_.size(); ++k)
-      start.others_[k] = beyond(a.others_[k], b.others_[k], t);
+      start.others_[k] = extrapolated(a.others_[k], b.others_[k], t);
     return start;
   }
-  static Entry beyond(const Entry& a, const Entry& b, double t) {
+  static Entry extrapolated(const Entry& a, const Entry& b, double t) {
     const auto &p = a.layer, &q = b.layer;
     Entry entry = b;
     entry.layer = {q.e + t * (q.e - p.e), q.rate + t * (q.rate - p.rate)};

@@ -105,7 +105,7 @@ TrackRule track_rule(const MotorDesign& design) {
   const Stator& stator = design.stator;
   const auto& table = stator.radial_shape.table;
   const ModelArray<double> values = model_values(design);
-  const bool jumps = design.friction.static_ > design.friction.kinetic;
+  const bool jumps = design.friction.threshold > design.friction.kinetic;
   const bool stays_whole =
       jumps && remembers_long(driven(motor_model(values), design_wave(values)));
   TrackRule rule{std::abs(stator.radial_slices),

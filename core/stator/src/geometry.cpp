@@ -1,73 +1,81 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/stator/geometry.hpp>
 
+#include <algorithm>
+
 namespace twum::stator {
-
-const std::array<DimensionInfo, kDimensions>& dimension_table() {
-  static constexpr std::array<DimensionInfo, kDimensions> table{{
-      {"substrate_inner_radius", "m"},  {"substrate_outer_radius", "m"},
-      {"substrate_thickness", "m"},     {"substrate_youngs_modulus", "Pa"},
-      {"substrate_poisson_ratio", "1"}, {"substrate_density", "kg/m^3"},
-      {"web_inner_radius", "m"},        {"web_outer_radius", "m"},
-      {"web_thickness", "m"},           {"teeth_height", "m"},
-      {"teeth_slot_width", "m"},        {"teeth_inner_radius", "m"},
-      {"teeth_outer_radius", "m"},      {"teeth_stiffness_share", "1"},
-      {"glue_thickness", "m"},          {"glue_youngs_modulus", "Pa"},
-      {"glue_poisson_ratio", "1"},      {"glue_density", "kg/m^3"},
-      {"ceramic_inner_radius", "m"},    {"ceramic_outer_radius", "m"},
-      {"ceramic_thickness", "m"},       {"ceramic_youngs_modulus", "Pa"},
-      {"ceramic_poisson_ratio", "1"},   {"ceramic_density", "kg/m^3"},
-      {"ceramic_d31", "m/V"},           {"ceramic_permittivity", "F/m"},
-      {"electrodes_inner_radius", "m"}, {"electrodes_outer_radius", "m"},
-      {"contact_radius", "m"},
-  }};
-  return table;
-}
-
 namespace {
 
-template <typename Block, typename Member>
-double* member(std::optional<Block>& block, Member name) {
-  return block ? &((*block).*name) : nullptr;
+/// One dimension: its name, its unit, and the member of a geometry that holds it, or null.
+struct DimensionRow {
+  DimensionInfo info;
+  double* (*find)(StatorGeometry&);
+};
+
+template <auto block, auto member>
+double* in(StatorGeometry& g) {
+  return &((g.*block).*member);
 }
 
-double* value(std::optional<double>& number) { return number ? &*number : nullptr; }
+template <auto block, auto member>
+double* in_optional(StatorGeometry& g) {
+  return g.*block ? &(*(g.*block).*member) : nullptr;
+}
+
+template <auto member>
+double* given_electrode_radius(StatorGeometry& g) {
+  return g.electrodes.*member ? &*(g.electrodes.*member) : nullptr;
+}
+
+double* nowhere(StatorGeometry&) { return nullptr; }
+
+constexpr std::array<DimensionRow, kDimensions> kRows{{
+    {{"substrate_inner_radius", "m"}, in<&StatorGeometry::substrate, &Substrate::inner_radius>},
+    {{"substrate_outer_radius", "m"}, in<&StatorGeometry::substrate, &Substrate::outer_radius>},
+    {{"substrate_thickness", "m"}, in<&StatorGeometry::substrate, &Substrate::thickness>},
+    {{"substrate_youngs_modulus", "Pa"},
+     in<&StatorGeometry::substrate, &Substrate::youngs_modulus>},
+    {{"substrate_poisson_ratio", "1"}, in<&StatorGeometry::substrate, &Substrate::poisson_ratio>},
+    {{"substrate_density", "kg/m^3"}, in<&StatorGeometry::substrate, &Substrate::density>},
+    {{"web_inner_radius", "m"}, in_optional<&StatorGeometry::web, &Web::inner_radius>},
+    {{"web_outer_radius", "m"}, in_optional<&StatorGeometry::web, &Web::outer_radius>},
+    {{"web_thickness", "m"}, in_optional<&StatorGeometry::web, &Web::thickness>},
+    {{"teeth_height", "m"}, in_optional<&StatorGeometry::teeth, &Teeth::height>},
+    {{"teeth_slot_width", "m"}, in_optional<&StatorGeometry::teeth, &Teeth::slot_width>},
+    {{"teeth_inner_radius", "m"}, in_optional<&StatorGeometry::teeth, &Teeth::inner_radius>},
+    {{"teeth_outer_radius", "m"}, in_optional<&StatorGeometry::teeth, &Teeth::outer_radius>},
+    {{"teeth_stiffness_share", "1"}, in_optional<&StatorGeometry::teeth, &Teeth::stiffness_share>},
+    {{"glue_thickness", "m"}, in<&StatorGeometry::glue, &Glue::thickness>},
+    {{"glue_youngs_modulus", "Pa"}, in<&StatorGeometry::glue, &Glue::youngs_modulus>},
+    {{"glue_poisson_ratio", "1"}, in<&StatorGeometry::glue, &Glue::poisson_ratio>},
+    {{"glue_density", "kg/m^3"}, in<&StatorGeometry::glue, &Glue::density>},
+    {{"ceramic_inner_radius", "m"}, in<&StatorGeometry::ceramic, &Ceramic::inner_radius>},
+    {{"ceramic_outer_radius", "m"}, in<&StatorGeometry::ceramic, &Ceramic::outer_radius>},
+    {{"ceramic_thickness", "m"}, in<&StatorGeometry::ceramic, &Ceramic::thickness>},
+    {{"ceramic_youngs_modulus", "Pa"}, in<&StatorGeometry::ceramic, &Ceramic::youngs_modulus>},
+    {{"ceramic_poisson_ratio", "1"}, in<&StatorGeometry::ceramic, &Ceramic::poisson_ratio>},
+    {{"ceramic_density", "kg/m^3"}, in<&StatorGeometry::ceramic, &Ceramic::density>},
+    {{"ceramic_d31", "m/V"}, in<&StatorGeometry::ceramic, &Ceramic::d31>},
+    {{"ceramic_permittivity", "F/m"}, in<&StatorGeometry::ceramic, &Ceramic::permittivity>},
+    {{"electrodes_inner_radius", "m"}, given_electrode_radius<&Electrodes::inner_radius>},
+    {{"electrodes_outer_radius", "m"}, given_electrode_radius<&Electrodes::outer_radius>},
+    {{"contact_radius", "m"}, nowhere},
+}};
 
 }  // namespace
 
-double* find(StatorGeometry& g, Dimension dimension) {
-  switch (dimension) {
-    case Dimension::substrate_inner_radius: return &g.substrate.inner_radius;
-    case Dimension::substrate_outer_radius: return &g.substrate.outer_radius;
-    case Dimension::substrate_thickness: return &g.substrate.thickness;
-    case Dimension::substrate_youngs_modulus: return &g.substrate.youngs_modulus;
-    case Dimension::substrate_poisson_ratio: return &g.substrate.poisson_ratio;
-    case Dimension::substrate_density: return &g.substrate.density;
-    case Dimension::web_inner_radius: return member(g.web, &Web::inner_radius);
-    case Dimension::web_outer_radius: return member(g.web, &Web::outer_radius);
-    case Dimension::web_thickness: return member(g.web, &Web::thickness);
-    case Dimension::teeth_height: return member(g.teeth, &Teeth::height);
-    case Dimension::teeth_slot_width: return member(g.teeth, &Teeth::slot_width);
-    case Dimension::teeth_inner_radius: return member(g.teeth, &Teeth::inner_radius);
-    case Dimension::teeth_outer_radius: return member(g.teeth, &Teeth::outer_radius);
-    case Dimension::teeth_stiffness_share: return member(g.teeth, &Teeth::stiffness_share);
-    case Dimension::glue_thickness: return &g.glue.thickness;
-    case Dimension::glue_youngs_modulus: return &g.glue.youngs_modulus;
-    case Dimension::glue_poisson_ratio: return &g.glue.poisson_ratio;
-    case Dimension::glue_density: return &g.glue.density;
-    case Dimension::ceramic_inner_radius: return &g.ceramic.inner_radius;
-    case Dimension::ceramic_outer_radius: return &g.ceramic.outer_radius;
-    case Dimension::ceramic_thickness: return &g.ceramic.thickness;
-    case Dimension::ceramic_youngs_modulus: return &g.ceramic.youngs_modulus;
-    case Dimension::ceramic_poisson_ratio: return &g.ceramic.poisson_ratio;
-    case Dimension::ceramic_density: return &g.ceramic.density;
-    case Dimension::ceramic_d31: return &g.ceramic.d31;
-    case Dimension::ceramic_permittivity: return &g.ceramic.permittivity;
-    case Dimension::electrodes_inner_radius: return value(g.electrodes.inner_radius);
-    case Dimension::electrodes_outer_radius: return value(g.electrodes.outer_radius);
-    case Dimension::contact_radius: return nullptr;
-  }
-  return nullptr;
+const std::array<DimensionInfo, kDimensions>& dimension_table() {
+  static constexpr auto table = [] {
+    std::array<DimensionInfo, kDimensions> infos{};
+    std::transform(kRows.begin(), kRows.end(), infos.begin(),
+                   [](const DimensionRow& row) { return row.info; });
+    return infos;
+  }();
+  return table;
+}
+
+double* find(StatorGeometry& geometry, Dimension dimension) {
+  return kRows[static_cast<std::size_t>(dimension)].find(geometry);
 }
 
 const double* find(const StatorGeometry& geometry, Dimension dimension) {

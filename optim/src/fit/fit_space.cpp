@@ -19,10 +19,10 @@ FitSpace::FitSpace(const std::vector<Variable>& parameters, const ResidualFuncti
   t_.resize(n);
   lower_.resize(n);
   upper_.resize(n);
-  for (Index j = 0; j < n; ++j) begin(j);
+  for (Index j = 0; j < n; ++j) set_range_and_start(j);
 }
 
-void FitSpace::begin(Index j) {
+void FitSpace::set_range_and_start(Index j) {
   const Variable& v = parameter(j);
   const bool log = v.scale == Scale::log;
   if (!(v.lower <= v.upper) || (log && !(v.lower > 0.0)))
@@ -70,13 +70,14 @@ bool FitSpace::evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& r, Eigen::Mat
   } catch (const EvaluationError& e) {
     found.failure = e.reason();
   }
-  if (found.failure.empty() && !take(found, b, r, jacobian)) found.failure = "not-finite";
+  if (found.failure.empty() && !to_search_scale(found, b, r, jacobian))
+    found.failure = "not-finite";
   if (!found.failure.empty()) ++counters_.failures[found.failure];
   return found.failure.empty();
 }
 
-bool FitSpace::take(const Residuals& found, const std::vector<double>& b, Eigen::VectorXd& r,
-                    Eigen::MatrixXd& jacobian) const {
+bool FitSpace::to_search_scale(const Residuals& found, const std::vector<double>& b,
+                               Eigen::VectorXd& r, Eigen::MatrixXd& jacobian) const {
   const Index m = static_cast<Index>(found.values.size());
   const Index n = t_.size();
   if (found.jacobian.size() != found.values.size() * b.size())

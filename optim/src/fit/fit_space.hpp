@@ -47,10 +47,10 @@ class FitSpace {
   const Variable& parameter(Eigen::Index j) const {
     return parameters_[static_cast<std::size_t>(j)];
   }
-  void begin(Eigen::Index j);
+  void set_range_and_start(Eigen::Index j);
   std::vector<double> user(const Eigen::VectorXd& t) const;
-  bool take(const Residuals& found, const std::vector<double>& b, Eigen::VectorXd& r,
-            Eigen::MatrixXd& jacobian) const;
+  bool to_search_scale(const Residuals& found, const std::vector<double>& b, Eigen::VectorXd& r,
+                       Eigen::MatrixXd& jacobian) const;
   bool held(Eigen::Index j) const;
   double size_of_terms(bool cut_short) const;
   double gradient_cosine(const std::vector<Eigen::Index>& free) const;

@@ -271,7 +271,7 @@ std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
 }
 
 // True if the point is Pareto stationary in all variables, after Newton steps if necessary.
-bool FrontSearch::settle(SolverRun& run, Solved& s) {
+bool FrontSearch::make_stationary(SolverRun& run, Solved& s) {
   constexpr double kSettled = 1e-5;
   constexpr double kNear = 0.1;
   try {
@@ -309,7 +309,7 @@ std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>
   SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, std::min(left(), kCalls));
   auto s = solved(run);
   if (s) runner_.allow(run, run.session->left() + 4 * certificate_cost(a.unit.size()));
-  const bool good = s && settle(run, *s);
+  const bool good = s && make_stationary(run, *s);
   runner_.book(run);
   return good ? std::move(s) : std::nullopt;
 }

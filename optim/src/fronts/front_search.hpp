@@ -66,7 +66,7 @@ class FrontSearch {
   Solved improved_by_hops(std::size_t objective, Solved from);
   std::optional<std::pair<double, std::vector<double>>> stationarity(SolverRun& run,
                                                                      const Solved& s) const;
-  bool settle(SolverRun& run, Solved& s);
+  bool make_stationary(SolverRun& run, Solved& s);
   std::optional<Solved> solved(SolverRun& run);
   bool fill(SolverRun& run, Solved& s);
   void snap_to_bounds(SolverRun& run, Solved& s);

@@ -78,7 +78,7 @@ class ContinuousSolve {
     SolverRun run = runner_.run(optimizer, onward(), true);
     runner_.finish(run);
     const bool better = run.best && clearly_better(run, best_);
-    offer(std::move(run));
+    keep_if_better(std::move(run));
     return better || passed() || found;
   }
 
@@ -86,9 +86,9 @@ class ContinuousSolve {
     if (!options_.global.empty()) globally();
     SolverRun first = runner_.run(find_optimizer("nlopt:slsqp"), onward(), true);
     runner_.finish(first);
-    offer(std::move(first));
+    keep_if_better(std::move(first));
     if (!(passed() && looks_convex())) try_other_starts();
-    climb();
+    climb_ladder();
     if (!feasible(best_)) restore();
   }
 
@@ -110,7 +110,7 @@ class ContinuousSolve {
     SolverRun run = best_of(std::move(runs));
     if (best_.best && !clearly_better(run, best_) && passed()) return agree;
     runner_.finish(run);
-    offer(std::move(run));
+    keep_if_better(std::move(run));
     return agree;
   }
 
@@ -175,7 +175,7 @@ class ContinuousSolve {
     return objective(*a.best) < objective(*b.best) - 1e-10 * size;
   }
 
-  void offer(SolverRun run) {
+  void keep_if_better(SolverRun run) {
     if (!run.best) return;
     const bool first = !best_.best;
     const bool certifies = run.certified && run.certified->certificate.passed;
@@ -185,7 +185,7 @@ class ContinuousSolve {
   }
 
   // Each solver of the sequence starts from the best design. The first certified design ends it.
-  void climb() {
+  void climb_ladder() {
     for (const std::string& name : ladder_.rungs) {
       if (runner_.exhausted() || runner_.scaling().size() == 0) return;
       if (passed() && !ladder_.to_the_top) return;
@@ -196,7 +196,7 @@ class ContinuousSolve {
       if (name == "ipopt" && !passed() && !top) {  // its own way from the start
         SolverRun run = runner_.run(optimizer, runner_.start(), true);
         runner_.finish(run);
-        offer(std::move(run));
+        keep_if_better(std::move(run));
       }
       if (!feasible(best_) && name == "ipopt" && !top) return;  // feasibility comes first
     }
@@ -221,8 +221,8 @@ class ContinuousSolve {
     SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), design, true);
     if (!feasible(run)) return false;
     runner_.finish(run);
-    offer(std::move(run));
-    climb();
+    keep_if_better(std::move(run));
+    climb_ladder();
     return true;
   }
 

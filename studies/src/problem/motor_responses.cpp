@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -28,13 +29,13 @@ const DesignVariable* variable_of(const DesignProblem& problem, Parameter parame
 }
 
 bool orders_friction(const DesignProblem& problem) {
-  const DesignVariable* static_ = variable_of(problem, Parameter::static_friction);
-  if (static_ == nullptr) return false;
+  const DesignVariable* threshold = variable_of(problem, Parameter::static_friction);
+  if (threshold == nullptr) return false;
   if (const DesignVariable* kinetic = variable_of(problem, Parameter::kinetic_friction))
-    return static_->min < kinetic->max;
+    return threshold->min < kinetic->max;
   const std::vector<DesignProblem> all = combinations(problem);
   return std::any_of(all.begin(), all.end(), [&](const DesignProblem& one) {
-    return static_->min < one.motor.friction.kinetic;
+    return threshold->min < one.motor.friction.kinetic;
   });
 }
 
@@ -50,15 +51,74 @@ bool same_argument(const MetricRequest& a, const MetricRequest& b) {
 }
 
 // Reserves and margins have values beyond the limit.
+bool has_values_everywhere(Metric metric) {
+  switch (metric) {
+    case Metric::held_speed_limit_at:
+    case Metric::held_torque_limit_at:
+    case Metric::torque_reserve_at:
+    case Metric::drive_reserve_at:
+    case Metric::voltage_reserve_at:
+    case Metric::holding_torque:
+    case Metric::start_voltage:
+    case Metric::hold_voltage:
+    case Metric::start_frequency:
+    case Metric::pull_out_frequency:
+    case Metric::coupling_factor:
+    case Metric::capacitance_ratio:
+    case Metric::mode_separation: return true;
+    default: return false;
+  }
+}
+
 bool ends_at_a_limit(const MetricRequest& request) {
-  return request.argument == Argument::torque
-             ? request.metric != Metric::held_speed_limit_at
-             : request.argument == Argument::both && request.metric != Metric::torque_reserve_at &&
-                   request.metric != Metric::drive_reserve_at;
+  const bool held = request.argument == Argument::torque || request.argument == Argument::both;
+  return held && !has_values_everywhere(request.metric);
+}
+
+// What has no value where the voltage does not run the motor.
+bool needs_running_wave(const MetricRequest& request) {
+  return request.argument != Argument::both && !has_values_everywhere(request.metric);
+}
+
+bool varies(const DesignProblem& problem, Parameter parameter) {
+  return variable_of(problem, parameter) != nullptr;
+}
+
+bool may_have_voltage(const DesignProblem& problem) {
+  return problem.motor.stator.voltage || varies(problem, Parameter::voltage);
 }
 
 // Next to the end of a drive that follows by frequency its metrics change with the square root of what is left (Y5.3).
 constexpr double kLeastReserve = 1e-4;
+
+// Next to the voltage at which the running wave ends, metrics change with the square root of what is left.
+constexpr double kLeastVoltageReserve = 2e-3;
+
+// A motor runs at rest for its stall torque, and without load for the other metrics without argument.
+MetricRequest reserve_request(const MetricRequest& request) {
+  if (request.argument != Argument::none)
+    return {Metric::voltage_reserve_at, request.argument, request.at};
+  const bool at_rest = request.metric == Metric::stall_torque;
+  return {Metric::voltage_reserve_at, at_rest ? Argument::speed : Argument::torque, 0};
+}
+
+// As the user typed it, where the expression is one metric.
+std::string argument_text(const MetricRequest& reserve, const MetricExpression& metric) {
+  const std::size_t open = metric.text.find('('), close = metric.text.rfind(')');
+  if (metric.request() && open != std::string::npos)
+    return metric.text.substr(open + 1, close - open - 1);
+  return number_text(reserve.at) + (reserve.argument == Argument::torque ? " N.m" : " rad/s");
+}
+
+ImpliedLimit voltage_limit(const MetricRequest& request, const MetricExpression& metric) {
+  const MetricRequest reserve = reserve_request(request);
+  const std::string argument = argument_text(reserve, metric);
+  const std::string text =
+      std::string(info(Metric::voltage_reserve_at).name) + "(" + argument + ")";
+  return {
+      {text + " >= " + number_text(kLeastVoltageReserve), parse_metric(text), kLeastVoltageReserve},
+      request};
+}
 
 ImpliedLimit reserve_limit(Metric metric, const MetricRequest& held, double least) {
   const MetricRequest reserve{metric, Argument::both, held.at, held.torque};
@@ -89,11 +149,49 @@ std::string reason(const MetricExpression& metric, MetricStatus status) {
 }  // namespace
 
 bool ImpliedLimit::is_about(const MetricExpression& metric) const {
+  const bool by_voltage = is_of_fixed_drive();
   return argument && std::any_of(metric.terms.begin(), metric.terms.end(), [&](const Term& term) {
            const auto* request = std::get_if<MetricRequest>(&term);
-           return request != nullptr && same_argument(*request, *argument);
+           if (request == nullptr) return false;
+           return by_voltage
+                      ? needs_running_wave(*request) &&
+                            same_argument(reserve_request(*request), reserve_request(*argument))
+                      : same_argument(*request, *argument);
          });
 }
+
+bool ImpliedLimit::is_of_fixed_drive() const {
+  const MetricRequest* request = limit.metric.request();
+  return request != nullptr && request->metric == Metric::voltage_reserve_at;
+}
+
+namespace {
+
+// A load needs more voltage than none, so that no limit stands for a motor without load beside it.
+std::vector<ImpliedLimit> fixed_drive_limits(const DesignProblem& problem) {
+  std::vector<ImpliedLimit> limits;
+  if (!may_have_voltage(problem)) return limits;
+  for (const MetricExpression& metric : asked(problem))
+    for (const Term& term : metric.terms) {
+      const auto* request = std::get_if<MetricRequest>(&term);
+      if (request == nullptr || !needs_running_wave(*request)) continue;
+      ImpliedLimit one = voltage_limit(*request, metric);
+      if (std::none_of(limits.begin(), limits.end(), [&](const ImpliedLimit& l) {
+            return same_argument(*l.limit.metric.request(), *one.limit.metric.request());
+          }))
+        limits.push_back(std::move(one));
+    }
+  const auto load = [](const ImpliedLimit& one) {
+    const MetricRequest& request = *one.limit.metric.request();
+    return request.argument == Argument::torque ? request.at : -1;
+  };
+  const bool loaded = std::any_of(limits.begin(), limits.end(),
+                                  [&](const ImpliedLimit& one) { return load(one) > 0; });
+  if (loaded) std::erase_if(limits, [&](const ImpliedLimit& one) { return load(one) == 0; });
+  return limits;
+}
+
+}  // namespace
 
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   std::vector<ImpliedLimit> limits;
@@ -110,6 +208,7 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
       if (const auto* request = std::get_if<MetricRequest>(&term);
           request != nullptr && ends_at_a_limit(*request))
         add(*request, metric);
+  for (ImpliedLimit& one : fixed_drive_limits(problem)) limits.push_back(std::move(one));
   if (orders_friction(problem))
     limits.push_back({{"static_friction >= kinetic_friction", parse_metric("static_friction"), 0}});
   return limits;
@@ -122,7 +221,12 @@ CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<Im
       responses_(asked(problem_)) {
   for (const ImpliedLimit& limit : implied_)
     if (!limit.orders_friction()) responses_.push_back(limit.limit.metric);
-  evaluator_ = ExpressionEvaluator(responses_);
+  const auto reserves = static_cast<std::size_t>(
+      std::count_if(implied_.begin(), implied_.end(),
+                    [](const ImpliedLimit& one) { return one.is_of_fixed_drive(); }));
+  metrics_ = responses_.size() - reserves;
+  evaluator_ = ExpressionEvaluator(std::span(responses_).first(metrics_));
+  reserves_ = ExpressionEvaluator(std::span(responses_).subspan(metrics_));
 }
 
 optim::Evaluation CombinationResponses::evaluate(std::span<const double> design,
@@ -140,10 +244,62 @@ optim::Evaluation CombinationResponses::evaluate(std::span<const double> design,
   }
 }
 
+CombinationResponses::Numbers CombinationResponses::values_of(
+    const MotorDesign& motor, const ExpressionEvaluator& expressions, bool gradient) const {
+  return metric_values(Motor(motor), expressions, gradient, varied_.fixed_static_friction());
+}
+
+namespace {
+
+// With one wave at every voltage there is no least one.
+void keep_where_none_is_needed(std::vector<MetricDerivative>& reserves) {
+  for (MetricDerivative& one : reserves)
+    if (one.value.status == MetricStatus::undefined) {
+      one = {};
+      one.value.value = 1;
+    }
+}
+
+// A response at the voltage that is missing, which follows the design.
+void follow_voltage(MetricDerivative& response, const MetricDerivative& voltage) {
+  const double per_volt = std::exchange(response.gradient[index_of(Parameter::voltage)], 0.0);
+  for (std::size_t p = 0; p < kParameterCount; ++p)
+    response.gradient[p] += per_volt * voltage.gradient[p];
+}
+
+}  // namespace
+
+// The least voltage that leaves every reserve (1 + r) u_0 / (1 + reserve), if the motor has less.
+std::optional<MetricDerivative> CombinationResponses::missing_voltage(
+    const MotorDesign& motor, const Numbers& reserves) const {
+  const auto least =
+      std::min_element(reserves.begin(), reserves.end(),
+                       [](const auto& a, const auto& b) { return a.value.value < b.value.value; });
+  if (!motor.stator.voltage || least == reserves.end() ||
+      least->value.value >= kLeastVoltageReserve)
+    return {};
+  const double share = 1 + least->value.value;
+  MetricDerivative voltage;
+  voltage.value.value = (1 + kLeastVoltageReserve) * *motor.stator.voltage / share;
+  for (std::size_t p = 0; p < kParameterCount; ++p)
+    voltage.gradient[p] = -voltage.value.value / share * least->gradient[p];
+  voltage.gradient[index_of(Parameter::voltage)] = 0;  // what is missing does not depend on it
+  return voltage;
+}
+
+// Where the voltage does not run the motor, its metrics are those at the least voltage that does (Y5.4): continuous where it just
+// runs, so that a search outside gets numbers; the reserves tell how far it has to go.
 CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
                                                             bool gradient) const {
+  Numbers reserves = values_of(motor, reserves_, gradient);
+  keep_where_none_is_needed(reserves);
+  const auto missing = missing_voltage(motor, reserves);
   Numbers numbers =
-      metric_values(Motor(motor), evaluator_, gradient, varied_.fixed_static_friction());
+      values_of(missing ? with(motor, Parameter::voltage, missing->value.value) : motor, evaluator_,
+                gradient);
+  if (missing && gradient)
+    for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
+  numbers.insert(numbers.end(), reserves.begin(), reserves.end());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MetricStatus status = numbers[i].value.status;
     if (status != MetricStatus::ok)
@@ -174,21 +330,21 @@ void CombinationResponses::add_friction_order(std::span<const double> design,
                                               Numbers& numbers) const {
   if (implied_.empty() || !implied_.back().orders_friction()) return;
   double kinetic = problem_.motor.friction.kinetic;
-  double static_ = 0;
+  double threshold = 0;
   for (std::size_t j = 0; j < problem_.variables.size(); ++j) {
     if (problem_.variables[j].parameter == Parameter::kinetic_friction) kinetic = design[j];
-    if (problem_.variables[j].parameter == Parameter::static_friction) static_ = design[j];
+    if (problem_.variables[j].parameter == Parameter::static_friction) threshold = design[j];
   }
   constexpr std::size_t kStatic = index_of(Parameter::static_friction);
   constexpr std::size_t kKinetic = index_of(Parameter::kinetic_friction);
-  if (static_ < kinetic) {
+  if (threshold < kinetic) {
     for (MetricDerivative& response : numbers) {
       response.gradient[kKinetic] += response.gradient[kStatic];
       response.gradient[kStatic] = 0;
     }
   }
   MetricDerivative order;
-  order.value.value = static_ - kinetic;
+  order.value.value = threshold - kinetic;
   order.gradient[kStatic] = 1;
   order.gradient[kKinetic] = -1;
   numbers.push_back(order);

@@ -17,12 +17,14 @@ struct ImpliedLimit {
   std::optional<MetricRequest> argument{};
 
   bool orders_friction() const { return !argument; }
+  /// True if it asks for the voltage with which a drive of fixed frequency runs the motor.
+  bool is_of_fixed_drive() const;
   /// True if an expression has no value beyond it.
   bool is_about(const MetricExpression& metric) const;
 };
 
-/// The largest torque of each load; the reserves of each torque held at a speed (Y5.1, Y5.2); the order of the coefficients of
-/// friction last.
+/// The largest torque of each load; the voltage with which a drive of fixed frequency carries it, or runs at each speed (Y5.4); the
+/// reserves of each torque held at a speed (Y5.1, Y5.2); the order of the coefficients of friction last.
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
 /// Responses of a motor and their Jacobian for one combination of sets.
@@ -38,6 +40,10 @@ class CombinationResponses {
   using Numbers = std::vector<MetricDerivative>;  // one for each response
 
   Numbers numbers(const MotorDesign& motor, bool gradient) const;
+  Numbers values_of(const MotorDesign& motor, const ExpressionEvaluator& expressions,
+                    bool gradient) const;
+  std::optional<MetricDerivative> missing_voltage(const MotorDesign& motor,
+                                                  const Numbers& reserves) const;
   void add_friction_order(std::span<const double> design, Numbers& numbers) const;
   optim::Evaluation evaluate_motor(std::span<const double> design, bool gradient) const;
   void add_kinks(std::span<const double> design, const Numbers& numbers,
@@ -50,7 +56,9 @@ class CombinationResponses {
   std::vector<ImpliedLimit> implied_;
   // all except the order of the friction coefficients, which comes last
   std::vector<MetricExpression> responses_;
-  ExpressionEvaluator evaluator_;  // of these
+  std::size_t metrics_;            // of these, before the reserves of a fixed drive
+  ExpressionEvaluator evaluator_;  // of the metrics
+  ExpressionEvaluator reserves_;   // of the others
 };
 
 /// motor_problem() without the check for an objective.

@@ -92,7 +92,7 @@ Json fields_json(const Motor& motor) {
   }
   if (frames.empty()) return nullptr;
   json["kinetic"] = motor.design().friction.kinetic;
-  json["static"] = motor.design().friction.static_;
+  json["static"] = motor.design().friction.threshold;
   json["frames"] = std::move(frames);
   return json;
 }

@@ -54,7 +54,7 @@ Motor scale(double static_over_kinetic = 1) {
   MotorDesign design;
   design.layer.given_inertia = design.layer.given_shear_viscosity = 0;  // torque without ripples
   design.stator.modal_damping = 1;
-  design.friction.static_ = static_over_kinetic * design.friction.kinetic;
+  design.friction.threshold = static_over_kinetic * design.friction.kinetic;
   return Motor(design);
 }
 

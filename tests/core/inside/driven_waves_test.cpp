@@ -25,7 +25,7 @@ MotorDesign random_driven(Dice& dice, int index) {
   d.stator.voltage = dice.log_uniform(10, 300);
   d.layer.youngs_modulus = dice.log_uniform(2e8, 1e10);
   if (index % 2) d.layer.given_inertia = d.layer.given_shear_viscosity = 0;
-  d.friction.kinetic = d.friction.static_ = dice.uniform(0.1, 0.4);
+  d.friction.kinetic = d.friction.threshold = dice.uniform(0.1, 0.4);
   d.preload = dice.log_uniform(20, 400);
   return d;
 }

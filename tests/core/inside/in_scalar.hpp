@@ -18,13 +18,13 @@ contact::ContactNumbers<S> in_scalar(const contact::ContactNumbers<double>& n) {
                                S(n.half_angle),
                                S(0.0),
                                S(n.kinetic),
-                               S(n.static_),
+                               S(n.threshold),
                                {},
                                n.full};
   if constexpr (std::is_same_v<S, contact::NumbersDual> ||
                 std::is_same_v<S, contact::NumbersDual2>) {
     S* const list[] = {&k.inertia,    &k.damping, &k.stick_rate, &k.speed_ratio,
-                       &k.half_angle, &k.kinetic, &k.static_};
+                       &k.half_angle, &k.kinetic, &k.threshold};
     for (int i = 0; i < 7; ++i) list[i]->d[i] = 1.0;
   }
   k.edge = contact::trig(k.half_angle);

@@ -49,7 +49,7 @@ TEST_CASE("the margin of a jump vanishes where the zones change (W4.5)", "[core]
     const ContactNumbers<double> below = at_ratio(n, low), above = at_ratio(n, high);
     const double step =
         std::fabs(state_of(above).lap.means.traction - state_of(below).lap.means.traction);
-    if (!(step > 1e-5 * n.static_)) continue;  // a zone that begins from nothing
+    if (!(step > 1e-5 * n.threshold)) continue;  // a zone that begins from nothing
     const auto jump = jump_between(below, above);
     CAPTURE(index, low, step);
     REQUIRE(jump.has_value());

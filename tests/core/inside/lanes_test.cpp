@@ -79,7 +79,7 @@ Lap<double> alone(const Track& track, std::size_t k) {
 // In units of the largest traction; powers of the fastest speed as well.
 double apart(const ContactNumbers<double>& n, const ContactMeans<double>& a,
              const ContactMeans<double>& b) {
-  const double force = n.static_ * n.peak, power = force * (1 + std::fabs(n.speed_ratio));
+  const double force = n.threshold * n.peak, power = force * (1 + std::fabs(n.speed_ratio));
   return std::max({std::fabs(a.traction - b.traction) / force,
                    std::fabs(a.reactive_force - b.reactive_force) / force,
                    std::fabs(a.stator_power - b.stator_power) / power,
@@ -220,7 +220,7 @@ TEST_CASE("contacts that a layer does not enter at rest go alone", "[core][lanes
   n.inertia = 1e-8;
   CHECK(goes(1e-5));
   n.inertia = inertia, n.damping = 0.18;
-  n.static_ = 1.1 * n.kinetic;
+  n.threshold = 1.1 * n.kinetic;
   CHECK_FALSE(goes_in_step(n, LayerMotion<double>(n.inertia, n.damping)));
   CHECK_FALSE(goes_in_step(n, LayerMotion<double>(0, 0)));
 }

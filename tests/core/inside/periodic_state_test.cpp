@@ -36,7 +36,7 @@ ContactNumbers<double> any_contact(Dice& dice, int index, bool threshold) {
 
 // Largest e and t that friction can bring about: the sizes that rounding goes with.
 double size_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
-  return n.static_ * n.peak * (1 + std::sqrt(layer.response));
+  return n.threshold * n.peak * (1 + std::sqrt(layer.response));
 }
 
 // M e'' + C e' + e = 0 by its characteristic roots, in complex numbers.
@@ -123,13 +123,13 @@ TEST_CASE(
     // Loss factors up to 2, the range of section 10.
     n.damping = i % 7 == 0 ? 0 : dice.log_uniform(1e-3, 2);
     // What a layer that follows the stator swings by, as a share of mu_0 times the mean pressure.
-    const double share = dice.log_uniform(0.03, 1.5), mean = n.static_ * (n.peak - 1);
+    const double share = dice.log_uniform(0.03, 1.5), mean = n.threshold * (n.peak - 1);
     n.stick_rate = share * mean / (n.damping + std::fabs(1 - n.inertia));
     n.speed_ratio = dice.log_uniform(1e-6, 0.3) * (dice.uniform(0, 1) < 0.5 ? -1 : 1);
     // Its traction is a constant and s (D sin theta + C cos theta), to stay within mu_0 (cos theta + mean).
     const double swing = (1 - n.inertia) * n.stick_rate, pull = n.damping * n.stick_rate;
-    const double least = std::hypot(n.static_ + pull, swing) - mean;
-    const double most = mean - std::hypot(n.static_ - pull, swing);
+    const double least = std::hypot(n.threshold + pull, swing) - mean;
+    const double most = mean - std::hypot(n.threshold - pull, swing);
     if (least > most) continue;
     const LayerMotion<double> layer(n.inertia, n.damping);
     const PeriodicState state = find_periodic_state(n, layer);
@@ -155,7 +155,7 @@ TEST_CASE("where a search gives up, laps do not settle, also where a cycle of la
     const LayerMotion<double> layer(n.inertia, n.damping);
     const PeriodicState state = find_periodic_state(n, layer);
     if (state.status == PeriodicStatus::ok) return true;
-    CAPTURE(n.inertia, n.damping, n.half_angle, n.static_ / n.kinetic, speed, state.laps);
+    CAPTURE(n.inertia, n.damping, n.half_angle, n.threshold / n.kinetic, speed, state.laps);
     REQUIRE(state.status == PeriodicStatus::no_periodic_state);
     LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
     double closest = size_of(n, layer);
@@ -218,7 +218,7 @@ TEST_CASE("friction and stick rate scaled alike scale the state and its means (E
     const PeriodicState state = find_periodic_state(n, layer);
     const double factor = i % 2 == 0 ? 0x1p-20 : 0x1p20;
     ContactNumbers<double> k = n;
-    k.kinetic *= factor, k.static_ *= factor, k.stick_rate *= factor;
+    k.kinetic *= factor, k.threshold *= factor, k.stick_rate *= factor;
     const PeriodicState scaled_state = find_periodic_state(k, layer);
     CAPTURE(i, factor, n.full, n.inertia, n.damping, n.speed_ratio, state.laps, scaled_state.laps);
     REQUIRE(scaled_state.status == state.status);
@@ -250,9 +250,9 @@ TEST_CASE(
     const ContactNumbers<double> n = any_contact(dice, i, i % 4 == 0);
     const LayerMotion<double> layer(n.inertia, n.damping);
     const LapGuess guess(LapEntry<double>{{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}});
-    const bool unique = n.damping > 0 && n.static_ == n.kinetic && !n.full;
+    const bool unique = n.damping > 0 && n.threshold == n.kinetic && !n.full;
     if (unique) continue;
-    (n.full ? full : n.static_ > n.kinetic ? threshold : undamped) += 1;
+    (n.full ? full : n.threshold > n.kinetic ? threshold : undamped) += 1;
     const PeriodicState from_rest = find_periodic_state(n, layer);
     const PeriodicState guessed = find_periodic_state(n, layer, &guess);
     CAPTURE(i, n.full, n.inertia, n.damping);
@@ -273,7 +273,7 @@ TEST_CASE("a state of full contact with some accuracy is as near to the exact on
   int found = 0, shorter = 0;
   for (int i = 0; found < 400; ++i) {
     ContactNumbers<double> n = any_contact(dice, i, true);
-    n.static_ = n.kinetic;
+    n.threshold = n.kinetic;
     if (!n.full || !(n.damping > 0)) continue;
     const LayerMotion<double> layer(n.inertia, n.damping);
     const PeriodicState exact = find_periodic_state(n, layer);

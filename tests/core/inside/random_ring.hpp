@@ -30,7 +30,7 @@ inline MotorDesign random_ring(Dice& dice, int index) {
   d.layer.density = 1500;
   if (index % 3 == 0) d.layer.given_inertia = d.layer.given_shear_viscosity = 0;
   d.friction.kinetic = dice.uniform(0.15, 0.3);
-  d.friction.static_ = d.friction.kinetic * (index % 3 == 2 ? dice.uniform(1.1, 1.5) : 1);
+  d.friction.threshold = d.friction.kinetic * (index % 3 == 2 ? dice.uniform(1.1, 1.5) : 1);
   d.preload = dice.log_uniform(50, 500);
   return d;
 }

@@ -156,7 +156,7 @@ TEST_CASE("laps that begin beside a periodic state stay beside it, with mu_0 > m
     }
     if (!state.remembers) continue;
     ++answered;
-    CAPTURE(i, state.laps, n.half_angle, n.speed_ratio, n.static_ / n.kinetic);
+    CAPTURE(i, state.laps, n.half_angle, n.speed_ratio, n.threshold / n.kinetic);
     // Beside it by 1e-9 of a force of order one: rounding, amplified by the response, is far below, and so are
     // the curvature of the map and other sequences of zones, but for zones as short as this.
     LapEntry<double> entry = state.entry;
@@ -184,7 +184,7 @@ TEST_CASE("what laps from rest never come to is no answer, with mu_0 > mu (E6.6)
     n.damping = 0;
     n.stick_rate = dice.uniform(0.1, 0.2);
     n.speed_ratio = dice.uniform(0.1, 0.4);
-    n.static_ = 1.6 * n.kinetic;
+    n.threshold = 1.6 * n.kinetic;
     const LayerMotion<double> layer(n.inertia, 0.0);
     LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
     double least = HUGE_VAL;
@@ -269,7 +269,7 @@ TEST_CASE("no lap increases areas of the plane of states (E6.6)", "[core][contac
     const ContactNumbers<StateDual> n{
         v.inertia,     v.damping,    v.stick_rate,
         v.speed_ratio, v.half_angle, v.peak,
-        v.kinetic,     v.static_,    {v.edge.sin, v.edge.cos, v.edge.versine},
+        v.kinetic,     v.threshold,  {v.edge.sin, v.edge.cos, v.edge.versine},
         v.full};
     const Lap<StateDual> lap =
         run_lap<StateDual>(n, LayerMotion<StateDual>(n.inertia, n.damping), entry);

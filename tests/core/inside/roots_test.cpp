@@ -159,15 +159,15 @@ TEST_CASE("inverse interpolation settles soon, only at the zero, and in any unit
       line.add(first * unit, curve.f(first));
       line.add(second * unit, curve.f(second));
       CAPTURE(i, unit);
-      CHECK_FALSE(line.settled());
+      CHECK_FALSE(line.has_converged());
       std::vector<double> reached{line.zero() / unit};
       // From a tenth of the scale the distances are squared, and better, in each step.
-      for (int k = 0; k < 5 && !line.settled(); ++k) {
+      for (int k = 0; k < 5 && !line.has_converged(); ++k) {
         const double x = reached.back();
         line.add(x * unit, curve.f(x));
         reached.push_back(line.zero() / unit);
       }
-      REQUIRE(line.settled());
+      REQUIRE(line.has_converged());
       // An inverse parabola misses a cubic x(f) by its last coefficient times the product of the three f. Once
       // settled that is within the accuracy if f is its slope times the distance, and the bend makes each f up to
       // a tenth larger.

@@ -40,7 +40,7 @@ struct Seam {
 
   // A layer without relative velocity sticks if it can, and otherwise slips against the traction it would need.
   ZoneState from_rest() const {
-    if (std::fabs(sticking_traction()) <= n.static_ * pressure()) return ZoneState::stick;
+    if (std::fabs(sticking_traction()) <= n.threshold * pressure()) return ZoneState::stick;
     return slipping(-sticking_traction());
   }
 
@@ -64,10 +64,10 @@ TEST_CASE(
   for (int i = 0; i < 4000; ++i) {
     ContactNumbers<double> n = random_contact(dice, i, true);
     set_full_contact(n, dice.log_uniform(1.02, 6));
-    n.static_ = n.kinetic * dice.uniform(1, 2);
+    n.threshold = n.kinetic * dice.uniform(1, 2);
     if (n.inertia == 0 && n.damping > 0) n.damping = dice.log_uniform(0.1, 10);
     const LayerMotion<double> layer(n.inertia, n.damping);
-    const double threshold = n.static_ * (n.peak - 2);
+    const double threshold = n.threshold * (n.peak - 2);
     Seam seam{n, {0, 0}};
     // Tractions of a layer that sticks up to three times the threshold; an elastic layer holds no more than it.
     const bool elastic = layer.kind() == LayerKind::elastic;
@@ -81,7 +81,7 @@ TEST_CASE(
     const LapEntry<double> entry{seam.state, true, carried};
     const Lap<double> lap = run_lap(n, layer, entry);
     REQUIRE(lap.status == LapStatus::ok);
-    CAPTURE(i, n.inertia, n.damping, n.static_ / n.kinetic, static_cast<int>(carried));
+    CAPTURE(i, n.inertia, n.damping, n.threshold / n.kinetic, static_cast<int>(carried));
     CHECK(lap.first == seam.after(carried));
     // What begins in the right zone stays there for a while.
     CHECK(lap.shortest > 1e-9);

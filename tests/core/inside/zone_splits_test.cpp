@@ -64,7 +64,7 @@ struct MadeTrack {
 Motor motor_of_eight(double threshold) {
   MotorDesign design = test::ring_motor();
   design.stator.radial_slices = -8;
-  design.friction.static_ = threshold * design.friction.kinetic;
+  design.friction.threshold = threshold * design.friction.kinetic;
   return Motor(design);
 }
 

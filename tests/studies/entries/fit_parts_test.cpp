@@ -133,7 +133,7 @@ TEST_CASE("values that make no motor, and motors without a torque, are failures 
 TEST_CASE("static friction that is estimated itself does not follow the kinetic one",
           "[studies][calibrate]") {
   MotorDesign motor = elastic();
-  motor.friction.static_ = 0.3;  // 1.5 times the kinetic 0.2
+  motor.friction.threshold = 0.3;  // 1.5 times the kinetic 0.2
   const std::vector<P> others{P::preload,   P::amplitude, P::youngs_modulus,
                               P::thickness, P::frequency, P::contact_width};
   // Whatever stands before and after it.

@@ -47,11 +47,11 @@ FieldsPicture picture_of(const MotorDesign& design, double speed) {
   FieldsPicture picture;
   picture.edge = edge_of(motor.zones(speed));
   picture.fields = motor.fields(speed, samples_for(picture.edge));
-  picture.two_bounds = design.friction.static_ != design.friction.kinetic;
+  picture.two_bounds = design.friction.threshold != design.friction.kinetic;
   for (const FieldSample& s : picture.fields.samples) {
     if (std::abs(s.phase) > picture.edge) continue;
     picture.rows.push_back({s.phase, s.pressure, s.traction, design.friction.kinetic * s.pressure,
-                            design.friction.static_ * s.pressure, s.stator_velocity,
+                            design.friction.threshold * s.pressure, s.stator_velocity,
                             s.layer_velocity});
   }
   picture.pressure = studies::display_unit(largest(picture.rows, kPressure, kPressure), "Pa");

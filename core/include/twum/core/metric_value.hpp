@@ -62,7 +62,8 @@ enum class Metric : unsigned char {
   held_torque_limit_at,
   pull_out_margin_at,
   torque_reserve_at,
-  drive_reserve_at
+  drive_reserve_at,
+  voltage_reserve_at
 };
 
 /// Argument that a metric takes.

@@ -14,7 +14,8 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 58;
+inline constexpr std::size_t kMetricCount =
+    static_cast<std::size_t>(Metric::voltage_reserve_at) + 1;
 
 /// One row of the metric table.
 struct MetricInfo {

@@ -3,6 +3,7 @@
 
 #include <twum/stator/geometry.hpp>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,6 +62,15 @@ enum class DriveControl : unsigned char {
   amplitude   ///< the wave's amplitude: of a motor without a voltage
 };
 
+/// The solved plate of a stator that is given by its geometry, shared by copies: see keep_plate(). It follows from the other
+/// members, so it does not count in comparisons, and counts for nothing where these have changed.
+struct SolvedPlate {
+  struct Known;                          ///< a plate and what it was solved for
+  std::shared_ptr<const Known> known{};  ///< null before it is solved
+  /// Always true.
+  bool operator==(const SolvedPlate&) const { return true; }
+};
+
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
 ///
 /// The amplitude is given, or follows from the voltage and the load (theory of the driven stator). A voltage needs
@@ -99,6 +109,7 @@ struct Stator {
   /// blocked_capacitance, neutral_plane_distance and radial_shape, and these members are ignored (theory of the
   /// plate, section 8).
   std::optional<stator::StatorGeometry> geometry{};
+  SolvedPlate plate{};  ///< of the geometry; kept by keep_plate(), with() and Motor
   /// True if all members are equal.
   bool operator==(const Stator&) const = default;
 };
@@ -122,8 +133,8 @@ struct ContactLayer {
 
 /// Coulomb friction with a static threshold, mu_0 >= mu >= 0.
 struct Friction {
-  double kinetic{0.2};  ///< mu, while slipping [1]
-  double static_{0.2};  ///< mu_0, threshold of sticking [1]
+  double kinetic{0.2};    ///< mu, while slipping [1]
+  double threshold{0.2};  ///< mu_0, threshold of sticking [1]
   /// True if all members are equal.
   bool operator==(const Friction&) const = default;
 };

@@ -89,7 +89,8 @@ enum class Parameter : unsigned char {
 };
 
 /// Rows of the parameter table.
-inline constexpr std::size_t kParameterCount = 69;
+inline constexpr std::size_t kParameterCount =
+    static_cast<std::size_t>(Parameter::electrodes_outer_radius) + 1;
 
 /// Position of a parameter in arrays over the parameter table.
 constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
@@ -109,10 +110,12 @@ struct ParameterInfo {
   /// the parameter that may be given instead of this one, such as shear_modulus for poisson_ratio; both in one file
   /// is an error
   std::optional<Parameter> alternative;
-  std::string_view example;         ///< a valid value with its unit, as a user types it
-  std::string_view text;            ///< what it is, in one line
-  std::string_view reason;          ///< why the range ends where it does
-  std::optional<Parameter> twin{};  ///< `alternative` under its name before 0.2
+  std::string_view example;  ///< a valid value with its unit, as a user types it
+  std::string_view text;     ///< what it is, in one line
+  std::string_view reason;   ///< why the range ends where it does
+  /// what holds where a motor file leaves it out; empty if it must be given, or its alternative
+  std::string_view fallback{};
+  bool in_templates{true};  ///< false: a motor with a given amplitude does without it
 };
 
 /// The table, one row for each Parameter, in its order; static lifetime.

@@ -95,18 +95,6 @@ bool material_gives(const ParameterInfo& row) {
   });
 }
 
-std::string geometry_fallback(Parameter parameter) {
-  switch (parameter) {
-    case Parameter::teeth_stiffness_share: return "0.1";
-    case Parameter::glue_youngs_modulus: return "4 GPa";
-    case Parameter::glue_poisson_ratio: return "0.35";
-    case Parameter::glue_density: return "1200 kg/m^3";
-    case Parameter::electrodes_inner_radius:
-    case Parameter::electrodes_outer_radius: return "the ceramic's";
-    default: return {};
-  }
-}
-
 void say_of_motor(const std::string& text, const Given& motor, Diagnostics& diagnostics) {
   const std::string name = text.substr(0, text.find(' '));
   const std::size_t but = text.find(", but ");

@@ -20,9 +20,6 @@ bool has_material(std::string_view block);
 /// True if materials of the block's kind give the entry of a parameter.
 bool material_gives(const ParameterInfo& row);
 
-/// The default of an entry of the geometry in words; empty if the entry is required.
-std::string geometry_fallback(Parameter parameter);
-
 /// Adds an error for a motor whose single entries are valid. "NAME must ..., but ..." is reported at the entry of
 /// that name, everything else at the geometry.
 void say_of_motor(const std::string& text, const Given& motor, Diagnostics& diagnostics);

@@ -232,7 +232,7 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   double worst = 0;
   std::vector<Metric> compared{Metric::stall_torque, Metric::no_load_speed};
   // Where the torque of each wave may jump, the largest power takes seconds.
-  const bool jumps = design.friction.static_ > design.friction.kinetic;
+  const bool jumps = design.friction.threshold > design.friction.kinetic;
   if (!(design.stator.voltage && jumps)) compared.push_back(Metric::peak_power);
   for (const Metric metric : compared) {
     const double by = change(motor, track, metric);

@@ -61,14 +61,6 @@ Shape<double> slices(const ParameterInfo& row) {
   return shape;
 }
 
-// Modal and electrical data, which a motor with a given amplitude may do without.
-bool is_of_the_drive(Parameter parameter) {
-  constexpr std::array kDrive{Parameter::resonance_frequency, Parameter::modal_mass,
-                              Parameter::force_factor, Parameter::blocked_capacitance,
-                              Parameter::loss_tangent};
-  return std::find(kDrive.begin(), kDrive.end(), parameter) != kDrive.end();
-}
-
 // An entry that a material of the same block may give.
 bool is_of_material(const ParameterInfo& row) {
   const std::size_t dot = row.file_entry.rfind('.');
@@ -78,7 +70,6 @@ bool is_of_material(const ParameterInfo& row) {
 
 // The entry of a parameter.
 Field<GivenMotor> field_of(const ParameterInfo& row) {
-  const bool sliced = row.parameter == Parameter::radial_slices;
   const Shape<double> value = parameter_shape(row);
   Field<GivenMotor> field;
   field.entry.name = last_step(row.file_entry);
@@ -89,20 +80,8 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
     field.entry.alternative_entry = "geometry";
   if (is_of_material(row)) field.entry.spared_by = "material";
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
-  if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
-  if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
-  if (sliced) field.entry.fallback = "1";
-  if (is_of_the_drive(row.parameter)) field.entry.shown = false;
-  if (is_of_the_drive(row.parameter) && row.min > 0)
-    field.entry.fallback = "none; a voltage needs it";
-  if (row.parameter == Parameter::voltage_ratio) field.entry.fallback = "1";
-  if (row.parameter == Parameter::rotor_mass)
-    field.entry.fallback = "none: the rotor has no inertia";
-  if (row.parameter == Parameter::sensor_load_resistance)
-    field.entry.fallback = "none: the electrode is open";
-  if (field.entry.fallback.empty()) field.entry.fallback = geometry_fallback(row.parameter);
-  if (!row.required && field.entry.fallback.empty() && !row.alternative)
-    field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
+  field.entry.fallback = row.fallback;
+  field.entry.shown = row.in_templates;
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
                                          Diagnostics& diagnostics) {
     double typed = 0;

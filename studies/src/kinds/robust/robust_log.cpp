@@ -8,8 +8,7 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kRoundsOfASearch = 1'000'000;    // more than one search ever needs
-constexpr std::uint64_t kStagesOfASearch = 100'000'000;  // likewise
+constexpr std::uint64_t kRoundsOfASearch = 1'000'000;  // more than one search ever needs
 
 }  // namespace
 
@@ -23,7 +22,7 @@ RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, s
       motors_(problem),
       done_(context.store.rows()) {
   context.store.read([&](const StoredRow& row) {
-    if (row.stage < kRobustStages) return;
+    if (SearchStage::of(row.stage).phase != SearchStage::Phase::robust) return;
     RowBytes bytes(row.detail);
     const bool gradient = bytes.take<std::uint8_t>() != 0;
     const auto round = bytes.take<std::uint64_t>();
@@ -41,7 +40,7 @@ optim::RobustOptions RobustLog::options(const optim::SolveOptions& solve) {
   options.solve = solve;
   options.solve.observer = {};
   budget_ = solve.budget.evaluations;
-  options.solve.first_stage = kRobustStages + kStagesOfASearch * search_;
+  options.solve.first_stage = SearchStage{SearchStage::Phase::robust, 0, search_}.number();
   options.recall = [this](std::uint64_t round, std::span<const double> y, bool gradient,
                           const optim::Evaluator& evaluate) {
     return recall(kRoundsOfASearch * search_ + round, y, gradient, evaluate);
@@ -91,10 +90,10 @@ void RobustLog::observe(std::uint64_t round, const optim::Observation& observati
   append_numbers(row.detail, observation.evaluation.jacobian);
   context_.store.add(row);
   ++done_;
-  tell(round);
+  report_progress(round);
 }
 
-void RobustLog::tell(std::uint64_t round) {
+void RobustLog::report_progress(std::uint64_t round) {
   in_round_ = round == round_ ? in_round_ + 1 : 1;
   round_ = round;
   if (!context_.progress) return;

@@ -27,7 +27,7 @@ class RobustLog {
                            const optim::Evaluator& evaluate) const;
   // For RobustOptions::observer.
   void observe(std::uint64_t round, const optim::Observation& observation);
-  void tell(std::uint64_t round);
+  void report_progress(std::uint64_t round);
   std::uint64_t motors() const { return done_ + products_ + sample_; }
   static std::string key(std::uint64_t round, std::span<const double> y, bool gradient);
 

@@ -49,9 +49,7 @@ optim::RobustResult searched(const RobustBeginning& beginning, std::size_t candi
   RobustLog log(beginning.asked, {one.design.begin() + free, one.design.end()}, number, context);
   optim::RobustOptions options = log.options(beginning.options);
   options.starts = starts_of(beginning, one);
-  return solve(
-      shared_robust_problem(one.question, question_name(one.design, false), context.executor),
-      options);
+  return solve(shared_robust_problem(one.question, {one.design}, context.executor), options);
 }
 
 // Smaller is better: outcome first, then the objective of the last round, or the largest yield there is.
@@ -115,8 +113,7 @@ optim::Verification motors_before(const RobustBeginning& beginning,
   std::vector<double> design;
   for (const DesignVariable& variable : question.design.variables)
     design.push_back(get(beginning.before, variable.parameter));
-  return others(shared_robust_problem(question, question_name(first.design, true), executor),
-                design, options);
+  return others(shared_robust_problem(question, {first.design, true}, executor), design, options);
 }
 
 NominalMotors compared_with(const RobustBeginning& beginning, const OptimizeResult& plain,
@@ -125,10 +122,8 @@ NominalMotors compared_with(const RobustBeginning& beginning, const OptimizeResu
   if (!has_nominal_value(first.question.design.objectives.front()))
     return {kNoValue, plain.before_design, motors_before(beginning, options, executor)};
   const auto design = std::span(beginning.nominal.design).first(variables_of(beginning));
-  return {
-      beginning.nominal.evaluation.values.front(), plain.best.design,
-      others(shared_robust_problem(first.question, question_name(first.design, false), executor),
-             design, options)};
+  return {beginning.nominal.evaluation.values.front(), plain.best.design,
+          others(shared_robust_problem(first.question, {first.design}, executor), design, options)};
 }
 
 double objective_of(const OptimizeResult& result) {
@@ -139,12 +134,6 @@ double objective_of(const OptimizeResult& result) {
 }
 
 }  // namespace
-
-std::vector<double> question_name(std::span<const double> design, bool before) {
-  std::vector<double> name(design.begin(), design.end());
-  name.push_back(before ? 1 : 0);
-  return name;
-}
 
 RobustQuestion question_before(RobustQuestion question, const MotorDesign& before) {
   question.design.motor = before;

@@ -31,9 +31,6 @@ struct RobustBeginning {
   std::vector<std::vector<double>> starts;  ///< other local optima
 };
 
-/// Identifies the question of a candidate for BuiltMotorRows: its design, and whether the motor is that of the file
-/// instead.
-std::vector<double> question_name(std::span<const double> design, bool before);
 /// The question of a candidate about the motor before the search.
 RobustQuestion question_before(RobustQuestion question, const MotorDesign& before);
 

@@ -202,8 +202,9 @@ std::vector<ChosenSet> DesignReporter::choice_of(std::span<const double> design)
 // Nobody can loosen that a drive has to hold its duty.
 bool DesignReporter::is_of_the_drive(const MotorLimit& limit) const {
   const bool implied = &limit - limits_.data() >= std::ssize(problem_.limits);
-  return implied && limit.metric.request() != nullptr &&
-         limit.metric.request()->argument == Argument::both;
+  const MetricRequest* request = limit.metric.request();
+  return implied && request != nullptr &&
+         (request->argument == Argument::both || request->metric == Metric::voltage_reserve_at);
 }
 
 const MotorLimit* DesignReporter::limit_named(const std::string& text) const {

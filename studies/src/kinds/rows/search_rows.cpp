@@ -122,7 +122,7 @@ StoredRow SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<co
 
 StoredRow SearchRows::question(std::span<const double> design, bool gradient, int nodes) {
   StoredRow row;
-  if (nodes > 0) row.stage = first_stage_of_nodes(nodes);
+  if (nodes > 0) row.stage = SearchStage{SearchStage::Phase::with_nodes, nodes}.number();
   row.values.assign(design.begin(), design.end());
   append_bytes(row.detail, static_cast<std::uint8_t>(gradient));
   return row;
@@ -159,7 +159,8 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int node
       best_(kNoValue) {
   const std::size_t variables = answering_.variables.size();
   context.store.read([&](const StoredRow& row) {
-    if (row.stage >= kRobustStages || nodes_of_stage(row.stage) != nodes) return;
+    const SearchStage stage = SearchStage::of(row.stage);
+    if (stage.phase == SearchStage::Phase::robust || stage.nodes != nodes) return;
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), evaluation_of(row));
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/rows/search_stage.hpp"
 #include "kinds/rows/study_kind.hpp"
 #include "problem/combinations.hpp"
 #include "problem/motor_responses.hpp"
@@ -14,24 +15,6 @@
 #include <vector>
 
 namespace twum::studies {
-
-/// First stage of searches under tolerances; see robust_log.hpp.
-inline constexpr std::uint64_t kRobustStages = 1'000'000;
-
-/// @name Stages of a search that continues with `auto` and a number of nodes a panel
-/// The stage gives the number of nodes, so that each row can be computed without the others.
-/// @{
-inline constexpr std::uint64_t kAutoStages = 500'000;
-inline constexpr std::uint64_t kStagesOfNodes = 1900;  // 256 nodes end before kRobustStages
-constexpr std::uint64_t first_stage_of_nodes(int nodes) {
-  return kAutoStages + kStagesOfNodes * static_cast<std::uint64_t>(nodes);
-}
-/// 0 where a search began.
-constexpr int nodes_of_stage(std::uint64_t stage) {
-  if (stage < kAutoStages || stage >= kRobustStages) return 0;
-  return static_cast<int>((stage - kAutoStages) / kStagesOfNodes);
-}
-/// @}
 
 /// An evaluation for a solver (responses, Jacobian, kinks) and whether derivatives were requested, as the detail of a
 /// row.
@@ -89,7 +72,7 @@ class SearchRows {
 class SearchLog {
  public:
   /// Keeps references to both.
-  /// @param nodes  as nodes_of_stage()
+  /// @param nodes  as SearchStage::nodes
   SearchLog(const DesignProblem& problem, RunContext& context, int nodes = 0);
 
   /// motor_problem(), answering from the store where it can.

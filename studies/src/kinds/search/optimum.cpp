@@ -28,13 +28,13 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
     : SearchRun(file, nominal(asked), std::move(options), start),
       goal_(asked.objectives.front()),
       built_(std::move(built)),
-      motors_([this](const std::vector<double>& name) { return question_named(name); }) {
+      motors_([this](const BuiltQuestion& of) { return robust_question(of); }) {
   // Not under tolerances: a robust search has many rounds that each start from the last one.
   if (counts_slices() && built_.tolerances.empty()) begin_with_slices(kFewSlices);
 }
 
 std::optional<StoredRow> OptimumRun::recompute(const StoredRow& asked) const {
-  return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
+  return is_of_built_motor(asked) ? motors_.answer(asked) : SearchRun::recompute(asked);
 }
 
 std::optional<optim::Certificate> OptimumRun::certify(
@@ -82,10 +82,9 @@ RobustQuestion OptimumRun::question_of(std::span<const double> design) const {
   return {held(design), built_.tolerances, built_.statistics};
 }
 
-RobustQuestion OptimumRun::question_named(const std::vector<double>& name) const {
-  const bool of_file = name.back() != 0;
-  RobustQuestion question = question_of(std::span(name).first(name.size() - 1));
-  return of_file ? question_before(std::move(question), before()) : question;
+RobustQuestion OptimumRun::robust_question(const BuiltQuestion& of) const {
+  RobustQuestion question = question_of(of.design);
+  return of.motor_before ? question_before(std::move(question), before()) : question;
 }
 
 // A design with every combination of integers and sets, its own first. Only its own if there are more than
@@ -132,7 +131,7 @@ optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
     }
     optim::SolveOptions options = this->options(log, context);
     options.starts = 1;
-    options.first_stage = first_stage_of_nodes(nodes);
+    options.first_stage = SearchStage{SearchStage::Phase::with_nodes, nodes}.number();
     options.budget.evaluations -= found.counters.evaluations;
     optim::Result finer = optim::solve(there, options);
     finer.scan = found.scan;

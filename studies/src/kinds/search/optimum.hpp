@@ -32,7 +32,7 @@ class OptimumRun : public SearchRun {
   OptimizeResult answer(const optim::Result& found) const;
   DesignProblem held(std::span<const double> design) const;
   RobustQuestion question_of(std::span<const double> design) const;
-  RobustQuestion question_named(const std::vector<double>& name) const;
+  RobustQuestion robust_question(const BuiltQuestion& of) const;
   std::vector<std::vector<double>> combinations_at(const std::vector<double>& design) const;
 
   // goal of the study; that of problem() is the goal of the search without tolerances

@@ -44,10 +44,10 @@ class ParetoRun : public SearchRun {
         goals_(asked.objectives),
         tolerances_(asked.tolerances),
         statistics_(asked.statistics),
-        motors_([this](const std::vector<double>&) { return question(); }) {}
+        motors_([this](const BuiltQuestion&) { return question(); }) {}
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
-    return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
+    return is_of_built_motor(asked) ? motors_.answer(asked) : SearchRun::recompute(asked);
   }
 
   /// Under tolerances the certificates are those of rounds, which follow from the rows before them.

@@ -80,7 +80,7 @@ DesignProblem SearchRun::asked_with(int slices) const {
 }
 
 int SearchRun::slices_of(std::uint64_t stage) const {
-  const int nodes = nodes_of_stage(stage);
+  const int nodes = SearchStage::of(stage).nodes;
   return nodes > 0 ? -nodes : first_slices_;
 }
 
@@ -185,7 +185,7 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 }
 
 const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
-  const int nodes = nodes_of_stage(stage);
+  const int nodes = SearchStage::of(stage).nodes;
   const std::lock_guard lock(answers_mutex_);
   const auto found = answers_.find(nodes);
   if (found != answers_.end()) return found->second;
@@ -196,7 +196,8 @@ const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
 std::optional<StoredRow> SearchRun::recompute(const StoredRow& asked) const {
   const auto& [rows, motors] = answers(asked.stage);
   const std::span design(asked.values.data(), variables());
-  if (asked.stage >= kRobustStages) {  // the problem of a round depends on the rows before it
+  if (SearchStage::of(asked.stage).phase ==
+      SearchStage::Phase::robust) {  // the problem of a round depends on the rows before it
     StoredRow row =
         rows.row(asked.stage, asked.index, design, false, motors.evaluate(design, false));
     row.status = asked.status;

@@ -86,7 +86,7 @@ class SearchRun : public StudyKindRun {
   int first_slices_;
   optim::SolveOptions options_;
   mutable std::mutex answers_mutex_;
-  mutable std::map<int, Answers> answers_;  // by nodes_of_stage()
+  mutable std::map<int, Answers> answers_;  // by SearchStage::nodes
 };
 
 }  // namespace twum::studies

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "held/least_voltage.hpp"
+
+#include "drive/drive.hpp"
+#include "drive/force_line.hpp"
+#include "point/slice_count.hpp"
+
+#include <twum/base/no_value.hpp>
+#include <twum/base/scalar_search.hpp>
+#include <twum/core/parameters.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace twum::core {
+namespace {
+
+// How the speeds are sampled at which a motor may carry a torque.
+struct SpeedSamples {
+  /// The highest crest is that of this many amplitudes of full contact, or of this many of the largest wave under the design's
+  /// voltage (D2.7), whichever is more: there the stator alone asks for the voltage, which rises with the speed.
+  double full_contacts{400}, largest_waves{2};
+  /// Each speed of the one before.
+  double next{0.7};
+  /// Down to a crest of 1e-6 of the first, where the motor is as good as at rest.
+  int most{39};
+  /// Bits of the speed. The voltage is least there, so that it is right to twice as many.
+  int bits{20};
+};
+constexpr SpeedSamples kSamples;
+
+HeldPoint without_wave(HeldStatus status) {
+  return {status, kNoValue, kNoValue, kNoValue, kNoValue, false, 1, {}};
+}
+
+}  // namespace
+
+// From high speeds down, the voltage falls to that at which the running wave ends, rises towards the waves between running and dead
+// ones, and falls again with those that are dead: the first minimum is the one.
+LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque) {
+  const DrivenWaves waves(design, track_rule(without_drive(design)));
+  const auto wave_at = [&](double speed) {
+    return held_point(design, torque, speed, DriveControl::voltage);
+  };
+  const auto voltage = [&](double speed) { return wave_at(speed).voltage; };
+  const double highest = waves.crest_speed_per_amplitude() *
+                         std::max(kSamples.full_contacts * waves.full_contact_amplitude(),
+                                  kSamples.largest_waves * largest_amplitude(waves));
+  double faster = highest, speed = highest, least = HUGE_VAL;
+  for (int k = 0; k < kSamples.most; ++k) {
+    const double slower = kSamples.next * speed, needs = voltage(slower);
+    if (needs > least) {
+      const double place = least_between("the speed at which a torque needs the least voltage",
+                                         voltage, slower, faster, kSamples.bits)
+                               .place;
+      return {wave_at(place), place};
+    }
+    if (!std::isnan(needs)) least = needs;
+    faster = speed, speed = slower;
+  }
+  return {wave_at(speed), speed};
+}
+
+LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed) {
+  const DrivenWaves waves = Drive::waves_of(design);
+  std::optional<ForceExtremum> lowest;  // of the waves beyond the last maximum
+  for (const ForceExtremum& one : ForceLine(waves, speed).extrema())
+    if (!one.maximum) lowest = one;
+  if (!lowest) return {without_wave(HeldStatus::ok), speed};
+  HeldPoint wave = without_wave(HeldStatus::ok);
+  wave.amplitude = lowest->amplitude;
+  wave.frequency = drive_frequency(design);
+  wave.voltage = waves.modes().rms_voltage(lowest->force);
+  const int nodes = waves.model().track.nodes;
+  wave.radial_slices = design.stator.radial_slices <= kAutoSlices ? -nodes : nodes;
+  // a speed as good as rest, where the derivatives need one
+  const double turning = 1e-9 * waves.crest_speed_per_amplitude() * wave.amplitude;
+  return {wave, std::max(speed, turning)};
+}
+
+}  // namespace twum::core
