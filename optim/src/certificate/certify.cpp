@@ -318,7 +318,9 @@ class Certifier {
       c.prices.push_back(c.weights[k] * scaling_->factor(k) / scaling_->factor(0));
     c.limits = report_limits(session_.problem(), *scaling_, result_.point, result_.multipliers);
     c.reason = reason();
-    if (c.reason.empty()) c.reason = contradiction();
+    if (c.reason.empty())  // everything above trusts the Jacobian
+      c.reason = contradiction(session_, *scaling_, result_.point,
+                               [&](std::size_t response) { return limit_matters(response); });
     c.passed = c.reason.empty();
     c.second_order = c.second_order && c.passed;
   }
@@ -338,15 +340,6 @@ class Certifier {
     if (has(Degeneracy::negative_curvature)) return "stationary, but not a minimum";
     if (result_.better) return "stationary, but a better design was found beside it";
     return "";
-  }
-
-  // (O5.1): everything above trusts the Jacobian.
-  std::string contradiction() {
-    const auto response = contradicted_response(session_, *scaling_, result_.point,
-                                                [&](std::size_t r) { return limit_matters(r); });
-    if (!response) return "";
-    return "differences of the values of '" + session_.problem().response_name(*response) +
-           "' contradict its derivatives";
   }
 
   static constexpr double kNotMeasured = -1.0;

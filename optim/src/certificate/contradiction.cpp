@@ -124,19 +124,20 @@ class Line {
 
 }  // namespace
 
-std::optional<std::size_t> contradicted_response(Session& session, const Scaling& scaling,
-                                                 const KktPoint& point,
-                                                 const std::function<bool(std::size_t)>& matters) {
+std::string contradiction(Session& session, const Scaling& scaling, const KktPoint& point,
+                          const std::function<bool(std::size_t)>& matters) {
   Line line(session, scaling, point);
-  if (scaling.size() == 0 || !line.walk(1.0, false)) return std::nullopt;
+  if (scaling.size() == 0 || !line.walk(1.0, false)) return "";
   std::vector<std::size_t> suspects;
   for (std::size_t r = 0; r < session.problem().responses(); ++r)
     if (matters(r) && line.differs(r)) suspects.push_back(r);
   for (const double stretch : {1.0, kLonger}) {
-    if (suspects.empty() || !line.walk(stretch, true)) return std::nullopt;
+    if (suspects.empty() || !line.walk(stretch, true)) return "";
     std::erase_if(suspects, [&](std::size_t r) { return !line.contradicts(r); });
   }
-  return suspects.empty() ? std::nullopt : std::optional(suspects.front());
+  if (suspects.empty()) return "";
+  return "differences of the values of '" + session.problem().response_name(suspects.front()) +
+         "' contradict its derivatives";
 }
 
 }  // namespace twum::optim
