@@ -90,10 +90,10 @@ TEST_CASE("derivatives of the voltage reserve agree with differences (Y5.4)",
           "[core][held][derivative]") {
   const MotorDesign design = test::driven_motor_with_layer();
   const double largest = largest_held_torque(design);
-  for (const MetricRequest& request :
-       {reserve_at_torque(0.0), reserve_at_torque(0.4 * largest), reserve_at_torque(1.2 * largest),
-        reserve_at_speed(0), reserve_at_speed(4)}) {
+  for (const MetricRequest& request : {reserve_at_torque(0.0), reserve_at_torque(0.4 * largest),
+                                       reserve_at_speed(0), reserve_at_speed(4)}) {
     const MetricDerivative d = differentiate(Motor(design), request);
+    CAPTURE(static_cast<int>(request.argument), request.at, to_string(d.value.status));
     REQUIRE(d.value.status == MetricStatus::ok);
     for (const Parameter p :
          {Parameter::preload, Parameter::kinetic_friction, Parameter::contact_radius,

@@ -137,7 +137,9 @@ double HeldMetrics::value(const MetricRequest& request) {
     case Metric::voltage_reserve_at: {
       if (!design_.stator.voltage) throw SearchFailure{MetricStatus::undefined};
       const HeldPoint least = least_voltage(request).wave;
-      if (!(least.voltage > 0)) throw SearchFailure{status_of(least.status)};
+      if (!(least.voltage > 0))  // or there is no least one
+        throw SearchFailure{least.status == HeldStatus::ok ? MetricStatus::undefined
+                                                           : status_of(least.status)};
       return *design_.stator.voltage / least.voltage - 1;  // (Y5.5)
     }
     default: break;

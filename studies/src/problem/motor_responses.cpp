@@ -251,10 +251,10 @@ CombinationResponses::Numbers CombinationResponses::values_of(
 
 namespace {
 
-// With one wave at every voltage there is no least one.
-void keep_where_none_is_needed(std::vector<MetricDerivative>& reserves) {
+// With one wave at every voltage there is no least one, and where the torque is beyond friction another limit says so.
+void keep_where_none_is_known(std::vector<MetricDerivative>& reserves) {
   for (MetricDerivative& one : reserves)
-    if (one.value.status == MetricStatus::undefined) {
+    if (one.value.status != MetricStatus::ok) {
       one = {};
       one.value.value = 1;
     }
@@ -292,7 +292,7 @@ std::optional<MetricDerivative> CombinationResponses::missing_voltage(
 CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
                                                             bool gradient) const {
   Numbers reserves = values_of(motor, reserves_, gradient);
-  keep_where_none_is_needed(reserves);
+  keep_where_none_is_known(reserves);
   const auto missing = missing_voltage(motor, reserves);
   Numbers numbers =
       values_of(missing ? with(motor, Parameter::voltage, missing->value.value) : motor, evaluator_,

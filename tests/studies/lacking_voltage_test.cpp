@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/optim/solve.hpp>
+#include <twum/studies/motor_problem.hpp>
+
+#include "support/motor_files.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+// Searches of motors under a voltage that is at first too low to run them (Y5.4).
+using namespace twum;
+using namespace twum::studies;
+
+namespace {
+
+DesignProblem problem_of(double start) {
+  DesignProblem problem{motors::read_motor_file(test::motor_path("drive-60")).design};
+  problem.motor.stator.radial_slices = 1;
+  problem.vary(Parameter::voltage, 2, 150, optim::Scale::linear, start)
+      .vary(Parameter::preload, 60, 280)
+      .vary(Parameter::thickness, 0.15e-3, 1e-3, optim::Scale::log);
+  problem.minimize("electrical_power_at(0.4 N.m)");
+  problem.limit("torque_at(60 rpm) >= 0.5 N.m");
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("responses beside the motors that run are continuous, and their Jacobian is right (Y5.4)",
+          "[studies][held][derivative]") {
+  const DesignProblem question = problem_of(100);
+  const optim::Problem problem = motor_problem(question);
+  // Two voltages without a running wave, one with; power at a torque, torque at a speed, and the implied limits.
+  for (const double voltage : {5.0, 20.0, 110.0}) {
+    const std::vector<double> design{voltage, 160, 0.5e-3};
+    const optim::Evaluation at = problem.evaluate(design, true);
+    REQUIRE(at.ok());
+    for (std::size_t j = 0; j < design.size(); ++j) {
+      const double h = 2e-5 * design[j];
+      const auto values = [&](double step) {
+        std::vector<double> next = design;
+        next[j] += step;
+        return problem.evaluate(next, false).values;
+      };
+      const auto a = values(-2 * h), b = values(-h), c = values(h), d = values(2 * h);
+      for (std::size_t i = 0; i < at.values.size(); ++i) {
+        const double difference = (8 * (c[i] - b[i]) - (d[i] - a[i])) / (12 * h);
+        CAPTURE(voltage, i, j);
+        // Near the end of the running wave metrics go with the square root of 2e-3 of the voltage: the step is a hundredth of it.
+        CHECK(at.jacobian[i * design.size() + j] * design[j] ==
+              Approx(difference * design[j]).epsilon(2e-4).margin(2e-4 * std::fabs(at.values[i])));
+      }
+    }
+  }
+}
+
+TEST_CASE("a search that starts where the motor does not run ends where another one does",
+          "[studies][held]") {
+  const optim::Result from_above = optim::solve(motor_problem(problem_of(120)));
+  const optim::Result from_below = optim::solve(motor_problem(problem_of(4)));
+  REQUIRE(from_above.outcome == optim::Outcome::optimal);
+  REQUIRE(from_below.outcome == optim::Outcome::optimal);
+  // Both are certified; a search ends within 1e-6 of its optimum.
+  CHECK(from_below.evaluation.values[0] == Approx(from_above.evaluation.values[0]).epsilon(1e-5));
+}
