@@ -51,8 +51,8 @@ struct MetricExpression {
 
 /// The expression for a single parameter.
 MetricExpression expression_of(Parameter parameter);
-/// The expression for a program's own metric, for use wherever a study or a search takes an expression. Such a study cannot be
-/// written to a file.
+/// The expression for a program's own metric, for a DesignProblem or an ExpressionEvaluator. Studies refuse it, because they are
+/// checked as files are.
 /// @throws InputError for a name that is none or that of a metric or parameter, an unknown unit, and without a value
 MetricExpression expression_of(OwnMetric metric);
 
