@@ -114,7 +114,7 @@ TEST_CASE("noise of the values alone never refuses a certificate", "[optim][cert
   CHECK(contradicted == 0);
 }
 
-TEST_CASE("a kink is no contradiction, however near to the design it lies",
+TEST_CASE("a kink is no contradiction, however near to the design it lies (O5.2)",
           "[optim][certificate]") {
   for (const double slope : {-0.5, 0.5, 20.0})
     for (const double x : {0.0, 1e-15, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})

@@ -53,13 +53,13 @@ DesignProblem free_track() {
   return p;
 }
 
-constexpr double kInf = optim::kInfinity;
+constexpr double kNoLimit = optim::kInfinity;
 
 }  // namespace
 
 TEST_CASE("an own metric that twum has too leads to the same design", "[studies][own]") {
   DesignProblem own = free_track(), ours = free_track();
-  own.maximize("peak_power").limit("max_pressure <= 3 MPa").limit(holding(), -kInf, 0.7);
+  own.maximize("peak_power").limit("max_pressure <= 3 MPa").limit(holding(), -kNoLimit, 0.7);
   ours.maximize("peak_power").limit("max_pressure <= 3 MPa").limit("holding_torque <= 0.7 N.m");
   const DesignAnswer a = solve(own), b = solve(ours);
   CHECK(a.search.outcome == optim::Outcome::optimal);
@@ -74,7 +74,7 @@ TEST_CASE("the gradient of an own metric is carried through derived parameters a
   p.vary(Parameter::contact_radius, 20e-3, 30e-3).vary(Parameter::kinetic_friction, 0.15, 0.19);
   p.vary(Parameter::static_friction, 0.2, 0.3);
   p.derive(Parameter::contact_width, "0.15 * contact_radius");
-  p.minimize(area()).limit(holding(), 0.1, kInf);
+  p.minimize(area()).limit(holding(), 0.1, kNoLimit);
   for (const auto& one :
        optim::check_derivatives(motor_problem(p), std::vector{25e-3, 0.17, 0.25})) {
     CAPTURE(one.response, one.variable, one.given, one.difference);
