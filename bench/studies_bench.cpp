@@ -55,7 +55,7 @@ void front(benchmark::State& state, const char* first, const char* second, bool 
   maximize_second ? question.maximize(second) : question.minimize(second);
   const optim::Problem problem = motor_problem(question);
   optim::ParetoOptions options;
-  options.solve.threads = 2;
+  options.solve.jobs = 2;
   std::size_t certified = 0;
   std::size_t evaluations = 0;
   for (auto _ : state) {

@@ -18,7 +18,7 @@ function(twum_library name)
   set_target_properties(twum_${name} PROPERTIES
     CXX_EXTENSIONS OFF
     POSITION_INDEPENDENT_CODE ON
-    DEFINE_SYMBOL ""  # every symbol is visible: objects are the same for static and shared libraries
+    DEFINE_SYMBOL ""
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
@@ -26,6 +26,10 @@ function(twum_library name)
     OPTIMIZE_DEPENDENCIES ON  # no library waits for those below it
     UNITY_BUILD ${TWUM_UNITY}
     UNITY_BUILD_BATCH_SIZE 12)
+  # A plugin of someone else's that takes static libraries passes none of their symbols on. Shared ones export all of theirs.
+  if(NOT BUILD_SHARED_LIBS)
+    set_target_properties(twum_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  endif()
   if(TWUM_INSTALL)
     twum_install_library(${name} ${ARG_COMPONENT})
   endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""CHANGELOG.md has an entry for the version in CMakeLists.txt, one line per change."""
+"""CHANGELOG.md has an entry for the version of the headers, one line per change."""
 import re
 
 import tree
@@ -7,7 +7,9 @@ import tree
 KINDS = ("Added", "Changed", "Fixed")
 
 if __name__ == "__main__":
-    version = re.search(r"project\(twum VERSION ([\d.]+)", tree.text(tree.ROOT / "CMakeLists.txt")).group(1)
+    numbers = re.findall(r"#define TWUM_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
+                         tree.text(tree.ROOT / "core/base/include/twum/base/version.hpp"))
+    version = ".".join(numbers)
     lines = tree.text(tree.ROOT / "CHANGELOG.md").splitlines()
     complaints, releases, kind, entries = [], [], None, {}
     for number, line in enumerate(lines, 1):

@@ -13,7 +13,7 @@ HOUSE = pathlib.Path(__file__).resolve().parent
 SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
 
 CLEAN = {
-    "CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nproject(twum VERSION 1.2.3)\n",
+    "CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nproject(twum)\n",
     "CHANGELOG.md": "# Change log\n\n## 1.2.3\n\n### Added\n\n- Everything.\n",
     "README.md": "# twum\n\nSee [theory](docs/theory/a.md#one).\n\n```sh run\ncat examples/x\n```\n\n```text output\n5\n```\n",
     "docs/theory/a.md": "# One\n\n    a = b        (T1.1)\n\n    c < d        (C1.1)\n",
@@ -27,6 +27,9 @@ CLEAN = {
     "scripts/install-deps.sh": "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\napt-get install g++\n",
     "core/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nsrc/contact/a.cpp src/design/d.cpp include/twum/core/a.hpp include/twum/core/e.hpp "
                            "include/twum/core/d.hpp\n",
+    "core/base/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\ninclude/twum/base/version.hpp\n",
+    "core/base/include/twum/base/version.hpp": SPDX + "#pragma once\n#define TWUM_VERSION_MAJOR 1\n"
+                                               "#define TWUM_VERSION_MINOR 2\n#define TWUM_VERSION_PATCH 3\n",
     "core/include/twum/core/a.hpp": SPDX + "#pragma once\n",
     "core/include/twum/core/d.hpp": SPDX + "#pragma once\n#include <vector>\n",
     "core/include/twum/core/e.hpp": SPDX + "#pragma once\n",

@@ -295,7 +295,7 @@ TEST_CASE("causes cost at most three times the search, and do not depend on thre
       const Result one = solve(made.problem, options);
       // The elastic solves of one limit each belong to the search's part: at most 4000 calls for two limits.
       CHECK(one.counters.evaluations <= 4 * (search + 4000));
-      options.threads = 3;
+      options.jobs = 3;
       const Result three = solve(made.problem, options);
       CHECK(one.counters.evaluations == three.counters.evaluations);
       REQUIRE(one.infeasibility.ranges.size() == three.infeasibility.ranges.size());

@@ -130,7 +130,7 @@ TEST_CASE("the evaluator is called by no more threads than were asked for, the c
           "[optim][threads]") {
   CHECK(threads_of({}) == std::set<std::thread::id>{std::this_thread::get_id()});
   SolveOptions options;
-  options.threads = 2;
+  options.jobs = 2;
   const auto two = threads_of(options);
   CHECK(two.size() <= 2);
   CHECK(two.contains(std::this_thread::get_id()));

@@ -263,7 +263,7 @@ TEST_CASE("the answer and the order of evaluations do not depend on the number o
   const auto run = [&](std::size_t threads) {
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<double>> seen;
     SolveOptions options;
-    options.threads = threads;
+    options.jobs = threads;
     options.observer = [&](const Observation& o) {
       CHECK(seen.emplace(std::pair{o.stage, o.index},
                          std::vector<double>(o.design.begin(), o.design.end()))

@@ -85,6 +85,11 @@ class FindPackage(Case):
         for number in self.ok(self.consumer("-DPART=strict", "-DCMAKE_BUILD_TYPE=Debug")).split():
             self.assertAlmostEqual(float(number), 100, delta=1e-4)
 
+    def test_a_plugin_exports_its_own_function_alone(self):
+        exported = self.ok("nm", "-D", "--defined-only", self.consumer("-DPART=plugin")).split()[2::3]
+        if not list(PREFIX.rglob("libtwum_core.so")):
+            self.assertEqual(exported, ["best_preload"])
+
     def test_unknown_component_is_refused_by_name(self):
         done = self.configure("-DPART=motors")
         self.assertNotEqual(done.returncode, 0)

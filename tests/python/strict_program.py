@@ -24,6 +24,10 @@ def solve() -> twum.Optimum:
 
 
 best = solve()
+price: float = sum(one["multiplier"] for one in best.limits)
+passed: bool = best.certificate["passed"]
+findings: list[str] = best.certificate["findings"]
+price_unit: str = best.limits[0]["price_unit"]
 preload: float = best.design["preload"]
 same: bool = best.motor == motor
 result = twum.run({"kind": "curve", "points": 11}, motor=motor, progress=tell)

@@ -31,7 +31,7 @@ optim::RobustResult by_form(const RobustQuestion& question,
   optim::RobustOptions options;
   options.starts = starts;
   options.draws = starts.empty() ? 3 : 0;
-  options.solve.threads = 2;
+  options.solve.jobs = 2;
   return optim::solve_form(robust_problem(question), options);
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("ring-60 at 99 % before aiming higher, for two seeds (U4.5)", "[studie
     options.back_off = false;
     options.price_yields = false;
     options.solve.seed = seed;
-    options.solve.threads = 2;
+    options.solve.jobs = 2;
     const optim::RobustResult found = optim::solve_robust(problem, options);
     // 6.867 W there; 1 % of the risk, what the sample leaves, is worth 0.0065 W, and the margin is three of them.
     CHECK(objective(found) == Approx(6.867).margin(0.02));
@@ -91,7 +91,7 @@ TEST_CASE("ring-60 at 99 % before aiming higher, for two seeds (U4.5)", "[studie
 TEST_CASE("99.9 % of ring-60 cannot be reached, and the largest yield is told (U3.6)",
           "[studies][robust]") {
   optim::RobustOptions options;
-  options.solve.threads = 2;
+  options.solve.jobs = 2;
   options.draws = 1;
   options.price_yields = false;
   const optim::RobustResult found =

@@ -98,7 +98,7 @@ optim::SolveOptions solve_options(py::dict from) {
   take(from, "seed", options.seed);
   take(from, "max_evaluations", options.budget.evaluations);
   take(from, "max_seconds", options.budget.seconds);
-  take(from, "jobs", options.threads);
+  take(from, "jobs", options.jobs);
   for (const auto& [key, value] : from) {
     constexpr std::array<std::string_view, 10> kNames{
         "solver",          "starts",      "scan", "tolerance", "seed",
@@ -141,10 +141,10 @@ py::dict certificate_dict(const optim::Certificate& certificate) {
 
 py::list limits_list(const optim::Certificate& certificate) {
   return list_of(certificate.limits, [](const optim::Activity& one) {
-    return py::dict("text"_a = one.name, "bound"_a = one.is_bound, "value"_a = one.value,
-                    "limit"_a = one.limit, "violation"_a = one.violation,
-                    "tolerance"_a = one.tolerance, "active"_a = one.active,
-                    "multiplier"_a = one.multiplier);
+    return py::dict(
+        "text"_a = one.name, "bound"_a = one.is_bound, "value"_a = one.value, "limit"_a = one.limit,
+        "violation"_a = one.violation, "tolerance"_a = one.tolerance, "active"_a = one.active,
+        "multiplier"_a = one.multiplier, "unit"_a = one.unit, "price_unit"_a = one.price_unit);
   });
 }
 
@@ -156,8 +156,6 @@ py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   });
 }
 
-const char* side_name(optim::Side side) { return side == optim::Side::upper ? "upper" : "lower"; }
-
 py::list impossible_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.impossible, [](const optim::Impossible& one) {
     return py::dict("text"_a = one.name, "limit"_a = one.limit, "best"_a = one.best,
@@ -167,7 +165,7 @@ py::list impossible_list(const optim::Infeasibility& infeasibility) {
 
 py::list ranges_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.ranges, [](const optim::RangeEnd& end) {
-    return py::dict("variable"_a = end.variable, "side"_a = side_name(end.side),
+    return py::dict("variable"_a = end.variable, "side"_a = to_string(end.side),
                     "limit"_a = end.limit, "limit_alone"_a = end.limit_alone);
   });
 }
@@ -260,6 +258,8 @@ std::vector<studies::DutyPoint> to_duty(const py::object& duty) {
     const auto pair = py::cast<py::sequence>(one);
     if (pair.size() != 2)
       throw InputError("duty: expected (torque, speed), such as ('0.5 N.m', '100 rpm')");
+    if (py::isinstance<py::str>(pair[0]) && py::isinstance<py::str>(pair[1]))
+      return studies::duty_point(to_text("duty: torque", pair[0]), to_text("duty: speed", pair[1]));
     return studies::DutyPoint{to_quantity("duty: torque", pair[0], "N.m", "0.5 N.m"),
                               to_quantity("duty: speed", pair[1], "rad/s", "100 rpm")};
   };
@@ -269,13 +269,22 @@ std::vector<studies::DutyPoint> to_duty(const py::object& duty) {
   return points;
 }
 
-py::object size_motor(const PyProblem& self, const py::object& duty, const py::kwargs& keywords) {
+studies::DutyDrive to_drive(const std::string& word) {
+  constexpr std::array<std::string_view, 2> kDrives{"fixed", "follows"};
+  if (word == kDrives[0]) return studies::DutyDrive::fixed;
+  if (word == kDrives[1]) return studies::DutyDrive::follows;
+  throw InputError("drive: " + studies::quoted(word) + "; " + studies::did_you_mean(word, kDrives));
+}
+
+py::object size_motor(const PyProblem& self, const py::object& duty, const std::string& drive_word,
+                      const py::kwargs& keywords) {
   RunningCall call;
   const std::vector<studies::DutyPoint> points = to_duty(duty);
+  const studies::DutyDrive drive = to_drive(drive_word);
   PyProblem sized = self;
   if (sized.problem.objectives.empty()) sized.problem.minimize("max_pressure");
   return optimum(sized, watched(call, keywords, [&](const optim::SolveOptions& options) {
-                   return size(sized.problem, points, options);
+                   return size(sized.problem, points, options, drive);
                  }));
 }
 
@@ -294,12 +303,15 @@ void add_asking(Class& problem) {
               "objectives: a list "
               "of Optimum in order of the\nfirst. Options are those of solve().");
   problem.def(
-      "size", &size_motor, py::arg("duty"),
-      "size(self, duty, **options)\n--\n\nA motor for a duty, (torque, speed) or a list of such "
+      "size", &size_motor, py::arg("duty"), py::kw_only(), py::arg("drive") = "fixed",
+      "size(self, duty, *, drive='fixed', **options)\n--\n\nA motor for a duty, (torque, speed) or "
+      "a list of such "
       "pairs: "
       "of those within the limits\nwhose torque at each speed is at least the load, the one with "
       "the "
-      "best objective, or\nthe least max_pressure if there is none. Options are those of solve().");
+      "best objective, or\nthe least max_pressure if there is none. With drive='follows' the drive "
+      "holds each point, and "
+      "limits\nhold at each. Options are those of solve().");
 }
 
 }  // namespace

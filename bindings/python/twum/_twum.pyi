@@ -755,6 +755,7 @@ class DesignProblem:
         self,
         duty: _Duty | Sequence[_Duty],
         *,
+        drive: str = "fixed",
         solver: str = ...,
         starts: int = ...,
         scan: int = ...,

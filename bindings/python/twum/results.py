@@ -9,13 +9,14 @@ import numbers
 import os
 import pathlib
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence, TypedDict
 
 import numpy as np
 
 from . import _twum
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes  # type: ignore[import]
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
@@ -55,7 +56,7 @@ class Curve:
         """Whether the motor squeals at each speed; None where that is not known. Computed anew at each access."""
         return self.motor._squeals(self.speed)
 
-    def plot(self, axes: Any = None) -> Any:
+    def plot(self, axes: Axes | None = None) -> Axes:
         """Torque and output power over speed, with matplotlib; returns its axes."""
         from . import plot
 
@@ -76,7 +77,7 @@ class Fields:
     layer_velocity: Floats  # [m/s]
     zones: list[tuple[str, float, float]]
 
-    def plot(self, axes: Any = None) -> Any:
+    def plot(self, axes: Sequence[Axes] | None = None) -> tuple[Axes, Axes]:
         """Pressure, traction and velocities over the phase, with matplotlib; returns its two axes."""
         from . import plot
 
@@ -100,6 +101,73 @@ class Derivatives:
         return self.gradient[_NAMES.get(parameter, parameter)]
 
 
+class Limit(TypedDict):
+    """A limit or the bound of a variable at a design, SI units."""
+
+    text: str  # as typed, or the name of the variable
+    bound: bool
+    value: float
+    limit: float
+    violation: float
+    tolerance: float
+    active: bool
+    multiplier: float  # improvement of the objective per unit of relaxation
+    unit: str  # of value and limit, '1': none
+    price_unit: str  # of the multiplier, such as 'Pa per N.m'
+
+
+class Certificate(TypedDict):
+    """The evidence that a design is a local optimum."""
+
+    passed: bool
+    infeasibility: float
+    stationarity: float
+    complementarity: float
+    curvature: float  # NaN: not measured
+    gain: float  # what a step could still gain at most; NaN: not measured
+    second_order: bool
+    findings: list[str]
+    reason: str  # why it did not pass
+
+
+class Relaxation(TypedDict):
+    """By how much a limit has to give, together with the others or alone (NaN: that is not enough)."""
+
+    text: str
+    limit: float
+    amount: float
+    amount_alone: float
+
+
+class Impossible(TypedDict):
+    """A limit that no design within the ranges keeps, even without the others."""
+
+    text: str
+    limit: float
+    best: float
+    certified: bool
+    ends: list[int]  # positions in Optimum.ranges
+
+
+class RangeEnd(TypedDict):
+    """An end of a range with a part in it."""
+
+    variable: str
+    side: str
+    limit: float
+    limit_alone: float  # NaN: none was found
+
+
+class Scan(TypedDict, total=False):
+    """What sampling the whole range has found; empty for a point of a front."""
+
+    designs: int
+    feasible: int
+    better: int
+    replaced: bool  # one of these led to the answer
+    before: float  # the objective of the local searches
+
+
 @dataclass(frozen=True, eq=False)
 class Optimum:
     """A design that was found, and the evidence for it.
@@ -113,12 +181,12 @@ class Optimum:
     design: dict[str, float]  # the variables, SI
     choice: dict[str, str]  # the set that the design has of each choice, by name
     objective: dict[str, float]
-    limits: list[dict[str, Any]] = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
-    certificate: dict[str, Any] = field(repr=False)
-    relaxation: list[dict[str, Any]] = field(repr=False)  # dictionaries: text, limit, amount, amount_alone
-    impossible: list[dict[str, Any]] = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
-    ranges: list[dict[str, Any]] = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, limit_alone
-    scan: dict[str, Any] = field(repr=False)  # designs sampled, of these feasible and better, whether one led here, the objective before
+    limits: list[Limit] = field(repr=False)
+    certificate: Certificate = field(repr=False)
+    relaxation: list[Relaxation] = field(repr=False)
+    impossible: list[Impossible] = field(repr=False)
+    ranges: list[RangeEnd] = field(repr=False)
+    scan: Scan = field(repr=False)
     solver: str
     evaluations: int
     failures: dict[str, int]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/differentiator.hpp"
+#include "metrics/motor_parts.hpp"
 
 #include "design/parameter_slopes.hpp"
 #include "metrics/motor_curve.hpp"
@@ -71,9 +72,9 @@ DesignDual zero_of(const DesignDual& f, double speed) {
 }
 
 DrivenMotor<ModelDual> moving_motor(const Motor& motor) {
-  const DrivenMotor<double>& m = motor.model();
-  return motor.drive() ? differentiated_motor(motor.design(), m.amplitude, m.track)
-                       : differentiated_motor<ModelDual>(motor.design(), m.track);
+  const DrivenMotor<double>& m = MotorParts::model(motor);
+  return MotorParts::drive(motor) ? differentiated_motor(motor.design(), m.amplitude, m.track)
+                                  : differentiated_motor<ModelDual>(motor.design(), m.track);
 }
 
 }  // namespace
@@ -90,7 +91,10 @@ Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, dou
 }
 
 Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
-    : design_(motor.design()), values_(motor), m_(motor.model()), model_(moving_motor(motor)) {
+    : design_(motor.design()),
+      values_(motor),
+      m_(MotorParts::model(motor)),
+      model_(moving_motor(motor)) {
   const bool plate_mode = design_.stator.geometry.has_value();
   const std::vector<ParameterSlope> slopes = parameter_slopes(design_, fixed_static_friction);
   slopes_.reserve(slopes.size());
@@ -205,7 +209,7 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
   }
   const SolvedPoint& point = values_.point(speed);
   const ModelDual omega = speed_variable<ModelDual>(speed);
-  if (!values_.motor().drive())
+  if (!MotorParts::drive(values_.motor()))
     return duals_.emplace_back(Moving{speed, &model_, point.differentiated(model_, omega), {}});
   const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
       differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
@@ -215,7 +219,7 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
 }
 
 DesignDual Differentiator::held(const ModelDual& dual, double speed) {
-  if (!values_.motor().drive()) return widened(dual);
+  if (!MotorParts::drive(values_.motor())) return widened(dual);
   return moving(speed).wave->of(widened(dual));
 }
 
@@ -353,7 +357,7 @@ Derived Differentiator::speed_of_peak(Metric metric, const Peak& peak) {
 
 // A metric with its derivatives and theirs along the curve.
 DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
-  const bool driven = values_.motor().drive() != nullptr;
+  const bool driven = MotorParts::drive(values_.motor()) != nullptr;
   if (driven) {
     contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
     amplitude.d[0] = moving(speed).wave->in_speed();

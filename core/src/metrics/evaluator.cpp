@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/evaluator.hpp"
+#include "metrics/motor_parts.hpp"
 
 #include "metrics/motor_curve.hpp"
 
@@ -12,32 +13,35 @@ namespace twum::core {
 namespace {
 
 std::unique_ptr<const Curve> curve_of(const Motor& motor) {
-  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model(), motor.modes());
-  return std::make_unique<DrivenCurve>(*motor.drive(), motor.model());
+  if (!MotorParts::drive(motor))
+    return std::make_unique<PrescribedCurve>(MotorParts::model(motor), MotorParts::modes(motor));
+  return std::make_unique<DrivenCurve>(*MotorParts::drive(motor), MotorParts::model(motor));
 }
 
 }  // namespace
 
 Evaluator::Evaluator(const Motor& motor)
-    : motor_(motor), m_(motor.model()), curve_(curve_of(motor)), search_(*curve_) {}
+    : motor_(motor), m_(MotorParts::model(motor)), curve_(curve_of(motor)), search_(*curve_) {}
 
 const StatorModes<double>& Evaluator::modes() const {
-  if (!motor_.modes()) throw SearchFailure{MetricStatus::undefined};
-  return *motor_.modes();
+  if (!MotorParts::modes(motor_)) throw SearchFailure{MetricStatus::undefined};
+  return *MotorParts::modes(motor_);
 }
 
 Thresholds& Evaluator::thresholds() {
   modes();
   if (!thresholds_)
-    thresholds_.emplace(motor_.design(), m_.track,
-                        motor_.drive() ? std::optional(motor_.drive()->extrema()) : std::nullopt,
-                        motor_.drive() ? motor_.drive()->largest_at_rest() : nullptr);
+    thresholds_.emplace(
+        motor_.design(), m_.track,
+        MotorParts::drive(motor_) ? std::optional(MotorParts::drive(motor_)->extrema())
+                                  : std::nullopt,
+        MotorParts::drive(motor_) ? MotorParts::drive(motor_)->largest_at_rest() : nullptr);
   return *thresholds_;
 }
 
 const CurveNode& Evaluator::pull_out() const {
-  if (!motor_.drive()) throw SearchFailure{MetricStatus::undefined};
-  const RunningBranch& branch = motor_.drive()->branch();
+  if (!MotorParts::drive(motor_)) throw SearchFailure{MetricStatus::undefined};
+  const RunningBranch& branch = MotorParts::drive(motor_)->branch();
   if (!branch.exists()) throw SearchFailure{MetricStatus::no_running_branch};
   const CurveNode* end = branch.pull_out();
   if (!end) throw SearchFailure{MetricStatus::does_not_pull_out};
@@ -51,7 +55,7 @@ double Evaluator::at_pull_out(Metric metric) {
 
 MotorPoint Evaluator::pull_out_point() const {
   const CurveNode& end = pull_out();
-  MotorPoint at{motor_.drive()->waves().motor(end.amplitude), {}};
+  MotorPoint at{MotorParts::drive(motor_)->waves().motor(end.amplitude), {}};
   at.solved = solve_point(at.motor, end.parameter, &end.start);
   if (at.solved.status != PointStatus::ok) throw SearchFailure{metric_status(at.solved.status)};
   return at;
@@ -67,7 +71,7 @@ double Evaluator::of_plate(PlateNumber number) const {
 // To find that out by a throw takes as long as several points.
 bool Evaluator::has_meaning(Metric metric) const {
   const MetricInfo& row = info(metric);
-  if ((row.needs_modes && !motor_.modes()) ||
+  if ((row.needs_modes && !MotorParts::modes(motor_)) ||
       (row.needs_geometry && !motor_.design().stator.geometry))
     return false;
   const bool of_stator =
@@ -130,8 +134,8 @@ const Evaluator::Known& Evaluator::known(double speed) {
   }
   const DrivenMotor<double>* motor = &m_;
   SolvedPoint solved;
-  if (motor_.drive()) {
-    MotorPoint at = motor_.drive()->at(speed);
+  if (MotorParts::drive(motor_)) {
+    MotorPoint at = MotorParts::drive(motor_)->at(speed);
     motor = &motors_.emplace_back(at.motor);
     solved = at.solved;
   } else {

@@ -4,6 +4,7 @@
 #include "design/held_traps.hpp"
 #include "metrics/differentiator.hpp"
 #include "metrics/held_metrics.hpp"
+#include "metrics/motor_parts.hpp"
 #include "point/slice_count.hpp"
 
 #include <functional>
@@ -24,7 +25,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
     d.smoothness = Smoothness::undefined;
     return d;
   }
-  const DrivenMotor<double>& m = motor.model();
+  const DrivenMotor<double>& m = MotorParts::model(motor);
   const SolvedPoint solved = solve_point(m, speed);
   const auto n = solved.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed));
   d.torque = n.torque.d[0];

@@ -96,9 +96,10 @@ OperatingPoint Motor::operating_point(double speed) const {
   const core::HeldTraps held;
   require_speed(model(), speed);
   if (!drive_)
-    return core::operating_point_of(model(), core::solve_point(model(), speed), speed, modes());
+    return core::operating_point_of(model(), core::solve_point(model(), speed), speed,
+                                    modes_.get());
   const core::MotorPoint at = drive()->at(speed);
-  return core::operating_point_of(at.motor, at.solved, speed, modes());
+  return core::operating_point_of(at.motor, at.solved, speed, modes_.get());
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
@@ -108,7 +109,7 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   const core::DrivenMotor<double> m =
       driven<double>(model(), {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);
-  return core::operating_point_of(m, core::solve_point(m, at.speed), at.speed, modes());
+  return core::operating_point_of(m, core::solve_point(m, at.speed), at.speed, modes_.get());
 }
 
 namespace {
@@ -145,7 +146,7 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
   require_on_track(model(), radius);
   const auto [motor, point] = solved(speed);
-  ContactFields fields{core::operating_point_of(motor, point, speed, modes()), radius, {}, {}};
+  ContactFields fields{core::operating_point_of(motor, point, speed, modes_.get()), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
   fields.zones = core::zones_at(motor, speed, radius);
   fields.samples = core::fields_at(motor, speed, radius, samples);
@@ -156,7 +157,7 @@ BackwardWave Motor::backward_wave(double speed) const {
   const core::HeldTraps held;
   require_speed(model(), speed);
   const auto [motor, point] = solved(speed);
-  return core::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
+  return core::backward_wave_of(motor, point, speed, modes_.get(), design_.rotor.mass);
 }
 
 std::vector<WaveState> Motor::wave_states(double speed) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/wave_rows.hpp"
+#include "metrics/motor_parts.hpp"
 
 #include "drive/driven_wave.hpp"
 
@@ -20,7 +21,7 @@ Row combined(const Row& a, double x, const Row& b, double y) {
 // Of a wave at another speed of the rotor: U = sqrt(R^2 + I^2) / Theta, and the lag is the angle of R and I (D2.4).
 void add_speed(WaveRows& rows, const Motor& motor, double speed, double voltage) {
   const MotorDesign& design = motor.design();
-  const DrivenWaves waves(design, motor.model().track);
+  const DrivenWaves waves(design, MotorParts::model(motor).track);
   const DrivenWaves::LevelSlopes s = waves.slopes(design.stator.amplitude, speed);
   const WaveBalance<double> w = s.in_amplitude.wave.balance, slope = s.balance_per_speed;
   const double square = w.real * w.real + w.imaginary * w.imaginary;

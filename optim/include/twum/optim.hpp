@@ -31,6 +31,7 @@
 #include <twum/optim/optimum_moves.hpp>
 #include <twum/optim/options.hpp>
 #include <twum/optim/outliers.hpp>
+#include <twum/optim/own_solver.hpp>
 #include <twum/optim/pareto.hpp>
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random.hpp>

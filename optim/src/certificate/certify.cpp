@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate/certify.hpp"
 
+#include "certificate/contradiction.hpp"
 #include "certificate/kinks.hpp"
 #include "certificate/limits_report.hpp"
 #include "certificate/probe.hpp"
@@ -317,6 +318,9 @@ class Certifier {
       c.prices.push_back(c.weights[k] * scaling_->factor(k) / scaling_->factor(0));
     c.limits = report_limits(session_.problem(), *scaling_, result_.point, result_.multipliers);
     c.reason = reason();
+    if (c.reason.empty())  // everything above trusts the Jacobian
+      c.reason = contradiction(session_, *scaling_, result_.point,
+                               [&](std::size_t response) { return limit_matters(response); });
     c.passed = c.reason.empty();
     c.second_order = c.second_order && c.passed;
   }

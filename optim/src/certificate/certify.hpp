@@ -22,7 +22,7 @@ inline constexpr const char* kCutShort = "stopped before the test was done";
 std::optional<Certified> certify_in(Session& session, const Scaling& search,
                                     std::span<const double> design, bool second_order = true);
 
-/// Largest number of evaluator calls for one certificate: curvature, kinks and probes.
-inline std::size_t certificate_cost(std::size_t free_variables) { return 6 * free_variables + 30; }
+/// Largest number of evaluator calls for one certificate: curvature, kinks, probes and differences.
+inline std::size_t certificate_cost(std::size_t free_variables) { return 6 * free_variables + 36; }
 
 }  // namespace twum::optim

@@ -16,12 +16,21 @@ double one_percent(double limit, double span) {
   return 0.01 * (limit != 0.0 ? std::abs(limit) : span);
 }
 
+// "Pa per N.m"; nothing unless both units are known.
+std::string price_unit(const Problem& problem, const std::string& unit) {
+  const std::string& goal = problem.objectives[0].unit;
+  if (goal.empty() || unit.empty()) return "";
+  return unit == "1" ? goal : goal + " per " + unit;
+}
+
 Activity constraint_activity(const Problem& problem, const Scaling& scaling, const KktPoint& point,
                              const Limit& limit) {
   const Constraint& c = problem.constraints[limit.constraint];
   const std::size_t r = problem.objectives.size() + limit.constraint;
   Activity a;
   a.name = c.name;
+  a.unit = c.unit;
+  a.price_unit = price_unit(problem, c.unit);
   a.side = limit.side;
   a.value = point.evaluation.values[r];
   a.limit = limit.side == Side::upper ? c.upper : c.lower;
@@ -54,6 +63,8 @@ Activity bound_activity(const Problem& problem, const Scaling& scaling, const Kk
   const Variable& v = problem.variables[scaling.variable(at)];
   Activity a;
   a.name = v.name;
+  a.unit = v.unit;
+  a.price_unit = price_unit(problem, v.unit);
   a.is_bound = true;
   a.side = point.nearer[at];
   a.value = point.design[scaling.variable(at)];

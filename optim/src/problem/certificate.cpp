@@ -15,4 +15,13 @@ const char* to_string(Degeneracy degeneracy) {
   return "unknown";
 }
 
+const char* to_string(Side side) {
+  switch (side) {
+    case Side::lower: return "lower";
+    case Side::upper: return "upper";
+    case Side::equal: return "equal";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

@@ -83,7 +83,7 @@ class Checker {
     for (std::size_t i = 0; i < wide.size(); ++i) {
       DerivativeCheck& one = checks[i];
       const double removed = (narrow[i] - wide[i]) / 3;
-      one.response = name_of(i);
+      one.response = problem_.response_name(i);
       one.variable = problem_.variables[j].name;
       one.given = at.jacobian[i * design_.size() + j];
       one.difference = narrow[i] + removed;
@@ -99,12 +99,6 @@ class Checker {
     return std::none_of(at.kinks.begin(), at.kinks.end(), [=](const KinkedEntry& kink) {
       return kink.response == response && kink.variable == variable;
     });
-  }
-
-  const std::string& name_of(std::size_t response) const {
-    const std::size_t objectives = problem_.objectives.size();
-    return response < objectives ? problem_.objectives[response].name
-                                 : problem_.constraints[response - objectives].name;
   }
 
   const Problem& problem_;

@@ -88,4 +88,17 @@ std::vector<double> start_design(const Problem& problem) {
   return design;
 }
 
+const char* to_string(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
+
+const char* to_string(Sense sense) { return sense == Sense::maximize ? "maximize" : "minimize"; }
+
+const char* to_string(Slope slope) {
+  switch (slope) {
+    case Slope::smooth: return "smooth";
+    case Slope::one_sided: return "one-sided";
+    case Slope::undefined: return "undefined";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

@@ -109,7 +109,7 @@ SamplePlan RobustSearch::plan(std::uint64_t products, std::uint64_t replicate) c
   return {products,
           options_.solve.seed,
           replicate,
-          static_cast<unsigned>(options_.solve.threads),
+          static_cast<unsigned>(options_.solve.jobs),
           [this] { return !stopped(); },
           options_.sampled};
 }
@@ -140,7 +140,7 @@ SolveOptions RobustSearch::options_for(std::uint64_t number, std::uint64_t stage
   SolveOptions o = options_.solve;
   o.solver = "auto";
   o.starts = 1;
-  o.threads = 1;
+  o.jobs = 1;
   o.global.clear();
   o.solver_options.clear();
   o.analyse_infeasible = false;
@@ -204,7 +204,7 @@ SolvedRound RobustSearch::first_round(const std::vector<RobustObjective>& goals,
   next_stage_ += kStagesOfASolve * list.size();
   std::vector<Result> results;
   run_indexed(
-      {0, list.size(), static_cast<unsigned>(options_.solve.threads), {}},
+      {0, list.size(), static_cast<unsigned>(options_.solve.jobs), {}},
       [&](std::uint64_t i) {
         return search(round->problem(), number, round->start(list[i]), "nlopt:slsqp",
                       first + kStagesOfASolve * i);

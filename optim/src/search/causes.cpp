@@ -51,7 +51,7 @@ class Investigation {
     options_.solver = "auto";
     options_.global.clear();
     options_.solver_options.clear();
-    options_.threads = 1;  // restated problems evaluate in one thread
+    options_.jobs = 1;  // restated problems evaluate in one thread
     options_.starts = std::min(options.starts, kStarts);
   }
 

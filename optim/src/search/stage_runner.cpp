@@ -106,7 +106,7 @@ std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
       }
     }
   };
-  const std::size_t threads = std::clamp<std::size_t>(options_.threads, 1, starts.size());
+  const std::size_t threads = std::clamp<std::size_t>(options_.jobs, 1, starts.size());
   {
     std::vector<std::jthread> pool;
     for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);

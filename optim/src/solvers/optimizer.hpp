@@ -3,6 +3,7 @@
 
 #include "problem/nlp.hpp"
 
+#include <twum/optim/own_solver.hpp>
 #include <twum/optim/solvers.hpp>
 
 namespace twum::optim {
@@ -26,9 +27,13 @@ struct RunReport {
 /// One solver of the registry. `run` throws what the evaluator throws, never Stop.
 struct Optimizer {
   SolverInfo info;
-  RunReport (*run)(const SolverInfo& info, Nlp& nlp, std::span<const double> start,
-                   const RunSettings& settings);
+  std::function<RunReport(const SolverInfo& info, Nlp& nlp, std::span<const double> start,
+                          const RunSettings& settings)>
+      run;
 };
+
+/// A solver of the program.
+Optimizer own_optimizer(SolverInfo info, OwnSolver solver);
 
 /// Each solver library has one pair of files that returns such a list.
 std::vector<Optimizer> nlopt_optimizers();

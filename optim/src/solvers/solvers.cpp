@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <deque>
+#include <mutex>
 
 namespace twum::optim {
 namespace {
@@ -20,6 +22,22 @@ const std::vector<Optimizer>& registry() {
     return list;
   }();
   return all;
+}
+
+// Solvers of the program: their addresses stay.
+struct OwnSolvers {
+  std::mutex lock;
+  std::deque<Optimizer> list;
+};
+
+OwnSolvers& own_solvers() {
+  static OwnSolvers own;
+  return own;
+}
+
+const Optimizer* find_in(const auto& list, const std::string& name) {
+  const auto found = std::ranges::find_if(list, [&](const auto& o) { return o.info.name == name; });
+  return found == list.end() ? nullptr : &*found;
 }
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -65,6 +83,15 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   return best;
 }
 
+const char* to_string(FailurePolicy policy) {
+  switch (policy) {
+    case FailurePolicy::shorter_step: return "shorter-step";
+    case FailurePolicy::restart: return "restart";
+    case FailurePolicy::rank_last: return "rank-last";
+  }
+  return "unknown";
+}
+
 const std::vector<SolverInfo>& solvers() {
   static const std::vector<SolverInfo> list = [] {
     std::vector<SolverInfo> infos;
@@ -75,11 +102,21 @@ const std::vector<SolverInfo>& solvers() {
 }
 
 const Optimizer& find_optimizer(const std::string& name) {
-  const auto& all = registry();
-  const auto it =
-      std::find_if(all.begin(), all.end(), [&](const auto& o) { return o.info.name == name; });
-  if (it == all.end()) throw InputError(unknown_solver(name));
-  return *it;
+  if (const Optimizer* ours = find_in(registry(), name)) return *ours;
+  OwnSolvers& own = own_solvers();
+  const std::lock_guard<std::mutex> guard(own.lock);
+  if (const Optimizer* one = find_in(own.list, name)) return *one;
+  throw InputError(unknown_solver(name));
+}
+
+void add_solver(SolverInfo info, OwnSolver solver) {
+  if (!solver) throw InputError("add_solver: '" + info.name + "' has no function");
+  OwnSolvers& own = own_solvers();
+  const std::lock_guard<std::mutex> guard(own.lock);
+  if (info.name.empty() || info.name == "auto" || find_in(registry(), info.name) ||
+      find_in(own.list, info.name))
+    throw InputError("add_solver: the name '" + info.name + "' is taken");
+  own.list.push_back(own_optimizer(std::move(info), std::move(solver)));
 }
 
 const SolverInfo& find_solver(const std::string& name) { return find_optimizer(name).info; }

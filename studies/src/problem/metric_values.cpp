@@ -27,7 +27,7 @@ std::vector<MetricDerivative> with_gradients(const Motor& motor,
     if (beyond_drive(requests[i], answers[i].value.status))
       answers[i] = differentiate_beyond_drive(motor, requests[i], fixed);
   }
-  return expressions.combine(motor.design(), answers, fixed);
+  return expressions.combine(motor, answers, fixed);
 }
 
 std::vector<MetricDerivative> without_gradients(const Motor& motor,
@@ -41,7 +41,7 @@ std::vector<MetricDerivative> without_gradients(const Motor& motor,
       answers[i] = evaluate_beyond_drive(motor, requests[i]);
   }
   std::vector<MetricValue> values(expressions.size());
-  expressions.combine(motor.design(), answers, values);
+  expressions.combine(motor, answers, values);
   std::vector<MetricDerivative> list;
   for (const MetricValue& value : values) list.push_back({value, {}, Smoothness::smooth});
   return list;

@@ -34,6 +34,7 @@ optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& 
   v.integer = row.integer;
   v.lowest = row.min;
   v.highest = row.max;
+  v.unit = row.unit;
   return v;
 }
 
@@ -65,7 +66,28 @@ void refuse_wrong_choices(const DesignProblem& problem) {
 }
 
 optim::Constraint limit_of(const MotorLimit& limit) {
-  return {limit.text, limit.lower, limit.upper, limit.tolerance};
+  return {limit.text, limit.lower, limit.upper, limit.tolerance, limit.metric.unit()};
+}
+
+// "cost <= 5", "1 W <= peak_power <= 2 W"
+std::string limit_text(const std::string& name, const std::string& unit, double lower,
+                       double upper) {
+  const auto end = [&](double value) {
+    return number_text(value) + (unit == "1" ? "" : " " + unit);
+  };
+  if (lower > upper) throw ValueError(name + " with ends that cross", "give the smaller end first");
+  if (std::isfinite(lower) && std::isfinite(upper))
+    return end(lower) + " <= " + name + " <= " + end(upper);
+  if (std::isfinite(upper)) return name + " <= " + end(upper);
+  if (std::isfinite(lower)) return name + " >= " + end(lower);
+  throw ValueError(name + " without a limit", "give at least one finite end");
+}
+
+bool has_derivatives(const DesignProblem& problem) {
+  return std::ranges::all_of(problem.objectives,
+                             [](const auto& one) { return one.metric.has_derivatives(); }) &&
+         std::ranges::all_of(problem.limits,
+                             [](const auto& one) { return one.metric.has_derivatives(); });
 }
 
 DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {
@@ -104,17 +126,25 @@ DesignProblem& DesignProblem::limit(std::string_view text) {
   return *this;
 }
 
+DesignProblem& DesignProblem::maximize(OwnMetric metric) {
+  objectives.push_back({expression_of(std::move(metric)), true});
+  return *this;
+}
+
+DesignProblem& DesignProblem::minimize(OwnMetric metric) {
+  objectives.push_back({expression_of(std::move(metric)), false});
+  return *this;
+}
+
 DesignProblem& DesignProblem::limit(Metric metric, double lower, double upper) {
   const MetricInfo& row = info(metric);
-  const auto end = [&](double value) {
-    return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
-  };
-  const std::string name(row.name);
-  if (std::isfinite(lower) && std::isfinite(upper))
-    return limit(end(lower) + " <= " + name + " <= " + end(upper));
-  if (std::isfinite(upper)) return limit(name + " <= " + end(upper));
-  if (std::isfinite(lower)) return limit(name + " >= " + end(lower));
-  throw ValueError(name + " without a limit", "give at least one finite end");
+  return limit(limit_text(std::string(row.name), std::string(row.unit), lower, upper));
+}
+
+DesignProblem& DesignProblem::limit(OwnMetric metric, double lower, double upper) {
+  std::string text = limit_text(metric.name, metric.unit, lower, upper);
+  limits.push_back({std::move(text), expression_of(std::move(metric)), lower, upper});
+  return *this;
 }
 
 DesignProblem& DesignProblem::derive(Parameter parameter, std::string_view text) {
@@ -151,14 +181,15 @@ optim::Problem posed_problem(const DesignProblem& problem) {
   for (const DesignObjective& objective : problem.objectives) {
     if (objective.statistic)
       throw InputError(objective.text() + ": a statistic of built motors, which need tolerances");
-    result.objectives.push_back({objective.metric.text, objective.maximize
-                                                            ? optim::Sense::maximize
-                                                            : optim::Sense::minimize});
+    result.objectives.push_back(
+        {objective.metric.text,
+         objective.maximize ? optim::Sense::maximize : optim::Sense::minimize, objective.unit()});
   }
   for (const MotorLimit& limit : problem.limits) result.constraints.push_back(limit_of(limit));
   const auto responses = std::make_shared<const MotorResponses>(problem);
   for (const ImpliedLimit& limit : responses->implied())
     result.constraints.push_back(limit_of(limit.limit));
+  result.derivatives = has_derivatives(problem);
   result.evaluate = [responses](std::span<const double> design, bool gradient) {
     return responses->evaluate(design, gradient);
   };

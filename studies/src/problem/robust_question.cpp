@@ -16,7 +16,7 @@ using Kind = StatisticRequest::Kind;
 
 bool has_metric(const MotorLimit& limit) {
   return std::any_of(limit.metric.terms.begin(), limit.metric.terms.end(),
-                     [](const Term& term) { return std::holds_alternative<MetricRequest>(term); });
+                     [](const Term& term) { return !std::holds_alternative<Parameter>(term); });
 }
 
 // Every statistic of the question: the goals, then the limits.

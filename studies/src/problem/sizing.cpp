@@ -68,6 +68,8 @@ std::string at_worst(std::string text, std::span<const DutyPoint> duty, bool max
 
 }  // namespace
 
+const char* to_string(DutyDrive drive) { return drive == DutyDrive::follows ? "follows" : "fixed"; }
+
 std::string held_arguments(const DutyPoint& point) {
   const std::string rpm = rounded_text(point.speed * 30 / std::numbers::pi, 10) + " rpm";
   const bool exact = parse_quantity(rpm, {"rad/s", "100 rpm"}) == point.speed;
@@ -90,9 +92,11 @@ DesignProblem held_at(DesignProblem problem, std::span<const DutyPoint> duty) {
                            : with_tolerance(parse_limit(text), limit.tolerance_text));
   }
   problem.limits = std::move(limits);
-  for (DesignObjective& goal : problem.objectives)
-    if (!goal.statistic)
-      goal.metric = parse_metric(at_worst(goal.metric.text, duty, goal.maximize));
+  for (DesignObjective& goal : problem.objectives) {
+    if (goal.statistic) continue;
+    const std::string text = at_worst(goal.metric.text, duty, goal.maximize);
+    if (text != goal.metric.text) goal.metric = parse_metric(text);
+  }
   return problem;
 }
 

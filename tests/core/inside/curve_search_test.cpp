@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "curve/search.hpp"
+#include "metrics/motor_parts.hpp"
 
 #include <twum/core/motor.hpp>
 
@@ -21,7 +22,7 @@ class LineCurve final : public Curve {
  public:
   explicit LineCurve(const Motor& motor, double begin = 0,
                      double end = std::numeric_limits<double>::infinity())
-      : Curve(motor.model(), Waves::each_its_own, begin), end_(end) {}
+      : Curve(MotorParts::model(motor), Waves::each_its_own, begin), end_(end) {}
 
   CurvePoint point(double speed, const WarmStart* /*guess*/, double /*accuracy*/) const override {
     CurvePoint p;

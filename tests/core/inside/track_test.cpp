@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/track.hpp"
+#include "metrics/motor_parts.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -35,7 +36,7 @@ TEST_CASE("slices carry the preload together (W2.3, W4.3)", "[core][annulus][ide
   for (int i = 0; i < 300; ++i) {
     const MotorDesign design = annulus_of(random, i);
     const Motor motor(design);
-    const DrivenMotor<double>& m = motor.model();
+    const DrivenMotor<double>& m = MotorParts::model(motor);
     double load = 0, moment = 0, share = 0, width = 0;
     for (const Slice<double>& s : m.slices()) {
       load += s.load, moment += s.load * s.radius, share += s.share, width += s.width;
@@ -66,7 +67,7 @@ TEST_CASE("pieces that end where the contact begins or closes need few nodes (W4
     design.preload = load * full_contact_load(design);
     const auto lever = [&](int slices) {
       design.stator.radial_slices = slices;
-      return Motor(design).model().lever / design.stator.contact_radius - 1;
+      return MotorParts::model(Motor(design)).lever / design.stator.contact_radius - 1;
     };
     CAPTURE(load, lever(8), lever(64));
     CHECK(std::abs(lever(8) - lever(64)) <= 1e-7);

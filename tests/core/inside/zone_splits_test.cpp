@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/zone_splits.hpp"
+#include "metrics/motor_parts.hpp"
 #include "model/track.hpp"
 #include "support/test_motors.hpp"
 
@@ -69,13 +70,13 @@ Motor motor_of_eight(double threshold) {
 
 const DrivenMotor<double>& track_of_eight() {
   static const Motor motor = motor_of_eight(1);
-  return motor.model();
+  return MotorParts::model(motor);
 }
 
 // mu_0 > mu
 const DrivenMotor<double>& jumping_track() {
   static const Motor motor = motor_of_eight(1.3);
-  return motor.model();
+  return MotorParts::model(motor);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_CASE("a front under tolerances is the same for any number of threads", "[op
   RobustOptions options;
   const RobustFront one = solve_robust_front(two_margins(0.95), 4, options);
   CHECK(one.outcome == Outcome::optimal);
-  options.solve.threads = 7;
+  options.solve.jobs = 7;
   const RobustFront many = solve_robust_front(two_margins(0.95), 4, options);
   REQUIRE(one.points.size() == many.points.size());
   for (std::size_t i = 0; i < one.points.size(); ++i)

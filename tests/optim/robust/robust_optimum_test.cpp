@@ -153,7 +153,7 @@ TEST_CASE(
   CHECK(one.verification.yields[0].low <= exact);
   CHECK(one.verification.yields[0].high >= exact);
   for (const std::size_t threads : {2U, 7U}) {
-    options.solve.threads = threads;
+    options.solve.jobs = threads;
     const RobustResult other = solve_robust(problem, options);
     CHECK(other.design == one.design);
     CHECK(other.verification.values == one.verification.values);

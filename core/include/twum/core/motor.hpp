@@ -18,6 +18,7 @@ struct StatorModes;
 class Drive;
 class LazyDrive;
 struct MotorPoint;
+struct MotorParts;
 }  // namespace core
 
 /// A motor: its design and everything that follows from the design alone. Immutable, so any number of threads may use
@@ -108,14 +109,10 @@ class Motor {
   /// @throws InputError as operating_point().
   std::vector<WaveState> wave_states(double speed) const;
 
-  /// The drive of a motor under a voltage, else null. Internal.
-  const core::Drive* drive() const;
-  /// The modes of the stator, null without modal data. Internal.
-  const core::StatorModes<double>* modes() const noexcept { return modes_.get(); }
-  /// The model of the motor. Internal.
-  const core::DrivenMotor<double>& model() const;
-
  private:
+  friend struct core::MotorParts;
+  const core::Drive* drive() const;
+  const core::DrivenMotor<double>& model() const;
   core::MotorPoint solved(double speed) const;
 
   MotorDesign design_;

@@ -31,6 +31,9 @@ struct Finding {
 /// Which side of a constraint or variable a limit is on.
 enum class Side : std::uint8_t { lower, upper, equal };
 
+/// "lower", "upper" or "equal"; static lifetime.
+const char* to_string(Side side);
+
 /// One limit of a constraint or one bound of a variable, at the design certified. User units.
 struct Activity {
   std::string name;        ///< of the constraint or variable
@@ -49,6 +52,10 @@ struct Activity {
   /// weighted sum, as for the multiplier.
   double gain_per_percent{0.0};
   double tolerance{0.0};  ///< violation up to which the limit counts as kept (O2.1); 0 for a bound
+  std::string unit{};     ///< of value, limit, violation and tolerance, as the problem says
+  /// Of the multiplier: "Pa per N.m", or "Pa" for a limit without unit. Empty unless the problem says both units; with several
+  /// objectives that of the first.
+  std::string price_unit{};
 };
 
 /// Evidence that a design is a constrained local optimum, computed from exact gradients at the design only. Neither the
@@ -60,7 +67,8 @@ struct Activity {
 /// the best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
   /// Every limit is kept, the design is stationary and complementary and, with one objective, no direction that the
-  /// limits allow improves it to second order.
+  /// limits allow improves it to second order. Values beside the design agree with the Jacobian (O5.1), unless the budget
+  /// does not allow the two evaluations.
   bool passed{false};
   /// The second order is decided too: the curvature is positive on the critical cone, or values rise along the one
   /// direction without. If passed without, the design is optimal to first order only.

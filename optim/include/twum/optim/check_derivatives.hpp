@@ -19,8 +19,8 @@ struct DerivativeCheck {
   bool agrees{true};       ///< the two differ by less than the uncertainty explains
 };
 
-/// Compares the evaluator's Jacobian at a design with differences of its values. Use it once for a new evaluator: a solve
-/// trusts the Jacobian, so that a wrong sign may be certified as an optimum.
+/// Compares the evaluator's Jacobian at a design with differences of its values, entry by entry. Use it once for a new
+/// evaluator: with a wrong entry a search ends anywhere, and its answer gets no certificate (O5.1).
 ///
 /// The steps are 1e-3 and 5e-4 of a variable's size, which is the larger of its magnitude and a thousandth of its range. The
 /// design is first moved inwards by one step from a bound. Entries of variables with a narrower range, and entries that the

@@ -47,7 +47,7 @@ struct SolveOptions {
   std::stop_token stop{};  ///< a request ends the solve with the best answer so far
   Observer observer{};     ///< called for every evaluation, never by two threads at once
   /// number of threads for the starts of auto; the answer does not depend on it
-  std::size_t threads{1};
+  std::size_t jobs{1};
   std::string global{};  ///< auto only: a global algorithm to run first, such as "nlopt:isres"
   std::map<std::string, std::string>
       solver_options{};  ///< for the named solver; unknown names are refused

@@ -17,6 +17,9 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// How a variable is mapped to the number in [0, 1] that solvers see.
 enum class Scale : std::uint8_t { linear, log };
 
+/// "linear" or "log"; static lifetime.
+const char* to_string(Scale scale);
+
 /// One design variable, in the user's units.
 struct Variable {
   std::string name{};  ///< unique in the problem
@@ -31,15 +34,20 @@ struct Variable {
   double lowest{std::numeric_limits<double>::quiet_NaN()};
   /// The same for the upper bound: the largest value.
   double highest{std::numeric_limits<double>::quiet_NaN()};
+  std::string unit{};  ///< of its values, for reports; empty: not said, "1": none
 };
 
 /// Direction of an objective.
 enum class Sense : std::uint8_t { minimize, maximize };
 
+/// "minimize" or "maximize"; static lifetime.
+const char* to_string(Sense sense);
+
 /// A response to be minimized or maximized.
 struct Objective {
   std::string name{};            ///< unique in the problem
   Sense sense{Sense::minimize};  ///< its direction
+  std::string unit{};            ///< of its value, as that of a variable
 };
 
 /// lower <= value <= upper; equal limits make an equality. At least one limit is finite.
@@ -50,6 +58,7 @@ struct Constraint {
   /// Amount by which a limit may be broken and still counts as kept, user units, >= 0. NaN: 1e-8 of the larger of the
   /// limit and the magnitude of its terms at the design (O2.1).
   double tolerance{std::numeric_limits<double>::quiet_NaN()};
+  std::string unit{};  ///< of its value, as that of a variable
 };
 
 /// Kind of a derivative.
@@ -58,6 +67,9 @@ enum class Slope : std::uint8_t {
   one_sided,  ///< left and right derivatives differ; the KinkedEntry holds both
   undefined   ///< there is no derivative; the Jacobian entry is not used
 };
+
+/// "smooth", "one-sided" or "undefined"; static lifetime.
+const char* to_string(Slope slope);
 
 /// A Jacobian entry that is not smooth at this point. Optional: if an evaluator gives none, the certificate searches
 /// for kinks with gradients at nearby designs.
@@ -100,6 +112,11 @@ struct Problem {
 
   /// Number of values that the evaluator returns.
   std::size_t responses() const noexcept { return objectives.size() + constraints.size(); }
+  /// Name of the objective or constraint that a value belongs to.
+  const std::string& response_name(std::size_t response) const {
+    return response < objectives.size() ? objectives[response].name
+                                        : constraints.at(response - objectives.size()).name;
+  }
 };
 
 /// Checks that a problem can be solved at all.

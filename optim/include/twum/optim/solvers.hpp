@@ -12,11 +12,14 @@ enum class FailurePolicy : std::uint8_t {
   rank_last      ///< the solver only compares designs, and a failed one ranks behind all others
 };
 
+/// "shorter-step", "restart" or "rank-last"; static lifetime.
+const char* to_string(FailurePolicy policy);
+
 /// Name and capabilities of a solver.
 struct SolverInfo {
-  std::string name;         ///< such as "nlopt:slsqp"
-  std::string description;  ///< one line
-  bool gradient{false};     ///< needs the Jacobian
+  std::string name{};         ///< such as "nlopt:slsqp"
+  std::string description{};  ///< one line
+  bool gradient{false};       ///< needs the Jacobian
   bool inequality{
       false};  ///< accepts inequality constraints, possibly through an augmented Lagrangian
   bool equality{false};     ///< accepts equality constraints
@@ -28,7 +31,7 @@ struct SolverInfo {
   FailurePolicy on_failure{FailurePolicy::restart};  ///< reaction to a failed evaluation
 };
 
-/// All solvers, including those that this build lacks, in a fixed order; static lifetime.
+/// All solvers of the library, including those that this build lacks, in a fixed order; static lifetime.
 const std::vector<SolverInfo>& solvers();
 
 /// The row of a name such as "nlopt:slsqp"; static lifetime.

@@ -64,6 +64,9 @@ enum class DutyDrive : unsigned char {
   follows  ///< each of them held by its drive, which follows (held_point())
 };
 
+/// "fixed" or "follows"; static lifetime.
+const char* to_string(DutyDrive drive);
+
 /// A design question about a motor: variables, objectives and limits.
 ///
 ///     DesignProblem problem{motor};
@@ -99,12 +102,21 @@ struct DesignProblem {
   /// Adds an objective to minimize.
   /// @throws ValueError if the text is no metric, as parse_metric().
   DesignProblem& minimize(std::string_view metric);
+  /// Adds a metric of the program as an objective.
+  /// @throws InputError as expression_of()
+  /// @{
+  DesignProblem& maximize(OwnMetric metric);
+  DesignProblem& minimize(OwnMetric metric);
+  /// @}
   /// Adds a limit such as "max_pressure <= 10 MPa".
   /// @throws ValueError if the text is no limit, as parse_limit().
   DesignProblem& limit(std::string_view text);
   /// Adds lower <= metric <= upper [SI]; an infinite end is none: limit(Metric::max_pressure, -kInfinity, 10e6).
   /// @throws ValueError if no end is finite, or the ends cross
   DesignProblem& limit(Metric metric, double lower, double upper);
+  /// The same for a metric of the program.
+  /// @throws ValueError as above, InputError as expression_of()
+  DesignProblem& limit(OwnMetric metric, double lower, double upper);
 };
 
 /// The motor of a design. `design` holds the values of the variables in their order, then for each choice the number
@@ -146,8 +158,9 @@ void require_ordered_friction(const DesignProblem& problem);
 ///
 /// A design without an answer gets a failure such as "no_load_speed: no-periodic-state". At a kink of a metric the
 /// evaluation holds both one-sided derivatives, found by differentiating next to it; entries without a derivative are
-/// NaN. The evaluator is a thread-safe pure function and keeps a copy of the question. One gradient of a few metrics
-/// costs about 50 microseconds.
+/// NaN. If an OwnMetric has no gradient, the problem has no derivatives. The evaluator is a thread-safe pure function and keeps a copy of the question. One gradient of a few metrics
+/// costs about 50 microseconds with one slice and a given amplitude, ten times as much under a voltage, two hundred times as much
+/// with `auto` slices.
 /// @throws InputError for a question that has no meaning: a parameter twice or with its alternative, a limit twice,
 ///         bounds that cross or are not admissible, no variable or objective, an objective that is a statistic, or
 ///         choice_complaints().

@@ -24,7 +24,7 @@ struct DesignAnswer {
 /// evaluated again and certified. Thread-safe. The answer depends on the question and the options only, unless a time
 /// limit or a stop request ends the search.
 ///
-/// Costs some hundred to some thousand evaluations of about 50 microseconds; with solver "ipopt" one solve computes
+/// Costs some hundred to some thousand evaluations, see motor_problem(); with solver "ipopt" one solve computes
 /// at a time in a process.
 /// @throws InputError as motor_problem() and optim::solve()
 DesignAnswer solve(const DesignProblem& problem, const optim::SolveOptions& options = {});
@@ -36,7 +36,7 @@ struct DesignFront {
 };
 
 /// Solves a question with two or three objectives, as the study `pareto` does. Costs as much as
-/// optim::pareto_front(), at about 50 microseconds for each evaluation. Threads and reproducibility are as for
+/// optim::pareto_front(); see motor_problem() for an evaluation. Threads and reproducibility are as for
 /// solve().
 /// @throws InputError as motor_problem() and optim::pareto_front()
 DesignFront solve_front(const DesignProblem& problem, const optim::ParetoOptions& options = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/motors/expression.hpp>
+#include "metrics/own_metric.hpp"
 
 #include <twum/io/units.hpp>
 #include <twum/io/value_error.hpp>
@@ -140,28 +140,18 @@ bool find_term(std::string_view text) {
   return find_metric(name).has_value() || find_parameter(name).has_value();
 }
 
-bool same(const MetricRequest& a, const MetricRequest& b) { return a == b; }
-
-bool same(const Term& a, const Term& b) {
-  if (a.index() != b.index()) return false;
-  const auto* request = std::get_if<MetricRequest>(&a);
-  return request != nullptr ? same(*request, std::get<MetricRequest>(b))
-                            : std::get<Parameter>(a) == std::get<Parameter>(b);
-}
-
-// Place of an item in a list, to which it is added if it is new.
-template <typename T>
-std::size_t place_in(std::vector<T>& list, const T& item) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const T& one) { return same(one, item); });
+// Place of a term in a list, to which it is added if it is new.
+std::size_t place_in(std::vector<Term>& list, const Term& term) {
+  const auto found = std::find(list.begin(), list.end(), term);
   const auto place = static_cast<std::size_t>(found - list.begin());
-  if (found == list.end()) list.push_back(item);
+  if (found == list.end()) list.push_back(term);
   return place;
 }
 
 std::string_view unit_of(const Term& term) {
   if (const auto* request = std::get_if<MetricRequest>(&term)) return info(request->metric).unit;
-  return info(std::get<Parameter>(term)).unit;
+  if (const auto* parameter = std::get_if<Parameter>(&term)) return info(*parameter).unit;
+  return std::get<OwnTerm>(term)->unit;
 }
 
 // Cached, because the units library serves one thread at a time.
@@ -186,62 +176,6 @@ std::string long_text(const Term& term, std::string_view reference) {
   return std::string(parameter != nullptr ? info(*parameter).name : reference);
 }
 
-// The value of a formula from those of its terms; the first failure of a term is passed on.
-MetricValue value_of(const Formula& formula, std::span<const MetricValue> terms) {
-  if (formula.is_name()) return terms[0];
-  std::vector<double> values;
-  for (const MetricValue& term : terms) {
-    if (term.status != MetricStatus::ok) return term;
-    values.push_back(term.value);
-  }
-  const double value = formula.value(values);
-  return {value, std::isnan(value) ? MetricStatus::undefined : MetricStatus::ok};
-}
-
-// Smoothness of a sum of gradients: the worst of its terms; flat if all are flat.
-Smoothness smoothness_of(const FormulaDerivative& formula,
-                         std::span<const MetricDerivative> terms) {
-  bool undefined = false;
-  bool one_sided = formula.kinked;
-  bool flat = true;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (formula.by_name[i] == 0) continue;
-    const Smoothness term = terms[i].smoothness;
-    undefined = undefined || term == Smoothness::undefined || std::isnan(formula.by_name[i]);
-    one_sided = one_sided || term == Smoothness::one_sided;
-    flat = flat && term == Smoothness::flat;
-  }
-  if (undefined) return Smoothness::undefined;
-  if (one_sided) return Smoothness::one_sided;
-  return flat && !terms.empty() ? Smoothness::flat : Smoothness::smooth;
-}
-
-// The chain rule: derivatives of the formula by its terms times those of the terms by the parameters.
-MetricDerivative derivative_of(const Formula& formula, std::span<const MetricDerivative> terms) {
-  if (formula.is_name()) return terms[0];
-  MetricDerivative result;
-  std::vector<MetricValue> values;
-  std::vector<double> numbers;
-  for (const MetricDerivative& term : terms) {
-    values.push_back(term.value);
-    numbers.push_back(term.value.value);
-  }
-  result.value = value_of(formula, values);
-  result.gradient.fill(std::numeric_limits<double>::quiet_NaN());
-  result.smoothness = Smoothness::undefined;
-  if (result.value.status != MetricStatus::ok) return result;
-  const FormulaDerivative derivative = formula.differentiate(numbers);
-  result.smoothness = smoothness_of(derivative, terms);
-  if (result.smoothness == Smoothness::undefined) return result;
-  result.gradient.fill(0);
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (derivative.by_name[i] == 0) continue;
-    for (std::size_t p = 0; p < kParameterCount; ++p)
-      result.gradient[p] += derivative.by_name[i] * terms[i].gradient[p];
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string MetricExpression::unit() const {
@@ -254,6 +188,13 @@ const MetricRequest* MetricExpression::request() const {
 
 const Parameter* MetricExpression::parameter() const {
   return formula.is_name() ? std::get_if<Parameter>(terms.data()) : nullptr;
+}
+
+bool MetricExpression::has_derivatives() const {
+  return std::all_of(terms.begin(), terms.end(), [](const Term& term) {
+    const auto* own = std::get_if<OwnTerm>(&term);
+    return own == nullptr || (*own)->gradient != nullptr;
+  });
 }
 
 MetricExpression expression_of(Parameter parameter) { return parse_metric(info(parameter).name); }
@@ -317,83 +258,6 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }
   return list;
-}
-
-MetricDerivative parameter_value(const MotorDesign& design, Parameter parameter,
-                                 bool fixed_static_friction) {
-  return {{get(design, parameter), MetricStatus::ok},
-          parameter_jacobian(design, fixed_static_friction)[index_of(parameter)],
-          Smoothness::smooth};
-}
-
-ExpressionEvaluator::ExpressionEvaluator(std::span<const MetricExpression> expressions) {
-  for (const MetricExpression& expression : expressions) {
-    Asked asked{expression.formula, {}};
-    for (const Term& term : expression.terms) {
-      const auto* request = std::get_if<MetricRequest>(&term);
-      asked.places.push_back(request != nullptr ? Place(place_in(requests_, *request))
-                                                : Place(std::get<Parameter>(term)));
-    }
-    asked_.push_back(std::move(asked));
-  }
-}
-
-void ExpressionEvaluator::evaluate(const Motor& motor, std::span<MetricValue> values) const {
-  combine(motor.design(), twum::evaluate(motor, requests_), values);
-}
-
-std::vector<MetricDerivative> ExpressionEvaluator::differentiate(const Motor& motor,
-                                                                 bool fixed_static_friction) const {
-  return combine(motor.design(), twum::differentiate(motor, requests_, fixed_static_friction),
-                 fixed_static_friction);
-}
-
-void ExpressionEvaluator::combine(const MotorDesign& design, std::span<const MetricValue> metrics,
-                                  std::span<MetricValue> values) const {
-  std::vector<MetricValue> terms;
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    terms.clear();
-    for (const Place& place : asked_[i].places) {
-      const auto* metric = std::get_if<std::size_t>(&place);
-      terms.push_back(metric != nullptr
-                          ? metrics[*metric]
-                          : MetricValue{get(design, std::get<Parameter>(place)), MetricStatus::ok});
-    }
-    values[i] = value_of(asked_[i].formula, terms);
-  }
-}
-
-std::vector<MetricDerivative> ExpressionEvaluator::combine(
-    const MotorDesign& design, std::span<const MetricDerivative> metrics,
-    bool fixed_static_friction) const {
-  std::vector<MetricDerivative> result;
-  for (const Asked& asked : asked_) {
-    std::vector<MetricDerivative> terms;
-    for (const Place& place : asked.places) {
-      const auto* metric = std::get_if<std::size_t>(&place);
-      terms.push_back(metric != nullptr ? metrics[*metric]
-                                        : parameter_value(design, std::get<Parameter>(place),
-                                                          fixed_static_friction));
-    }
-    result.push_back(derivative_of(asked.formula, terms));
-  }
-  return result;
-}
-
-std::vector<MetricValue> ExpressionEvaluator::evaluate(const Motor& motor) const {
-  std::vector<MetricValue> values(size());
-  evaluate(motor, values);
-  return values;
-}
-
-std::string unanswered(std::span<const MetricExpression> expressions,
-                       std::span<const MetricValue> values) {
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].status == MetricStatus::ok) continue;
-    text += (text.empty() ? "" : "; ") + expressions[i].text + ": " + to_string(values[i].status);
-  }
-  return text;
 }
 
 }  // namespace twum::motors

@@ -161,7 +161,7 @@ MotorDesign VariedParameters::motor(std::span<const double> values) const {
   for (std::size_t k = 0; k < derived_.size(); ++k) {
     const Parameter parameter = derived_[k].parameter;
     MetricValue value;
-    values_[k].combine(with(base_, list), {}, std::span(&value, 1));
+    values_[k].combine(with(base_, list), std::span(&value, 1));
     if (value.status != MetricStatus::ok)
       throw EvaluationError(name_of(parameter) + ": " + to_string(value.status),
                             "a derived parameter has no value");
@@ -178,8 +178,7 @@ MotorDesign VariedParameters::motor(std::span<const double> values) const {
 VariedParameters::Slopes VariedParameters::slopes(const MotorDesign& design) const {
   Slopes slopes;
   for (const ExpressionEvaluator& value : values_) {
-    const auto derivative =
-        value.combine(design, std::span<const MetricDerivative>{}, fixed_static_friction_);
+    const auto derivative = value.combine(design, fixed_static_friction_);
     slopes.push_back(derivatives(derivative.front().gradient, slopes));
   }
   return slopes;

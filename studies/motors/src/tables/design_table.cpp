@@ -47,9 +47,8 @@ void append_copy(std::string& out, std::string_view cell) {
 
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values) {
   const auto of_motor = [](const MetricExpression& one) {
-    return std::any_of(one.terms.begin(), one.terms.end(), [](const Term& term) {
-      return std::holds_alternative<MetricRequest>(term);
-    });
+    return std::any_of(one.terms.begin(), one.terms.end(),
+                       [](const Term& term) { return !std::holds_alternative<Parameter>(term); });
   };
   const bool parameters_alone = std::none_of(asked.begin(), asked.end(), of_motor);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -231,7 +230,7 @@ DesignOutcome<std::vector<MetricValue>> DesignTable::parameters(const Scratch& s
     const MotorDesign design = with(base_, scratch.values);
     require_motor(design);
     std::vector<MetricValue> values(metrics_.size());
-    evaluator_.combine(design, {}, values);
+    evaluator_.combine(design, values);
     return values;
   });
 }

@@ -30,8 +30,7 @@ bool asks_layer_aspect(const MetricExpression& metric) {
       const auto* request = std::get_if<MetricRequest>(&term);
       const auto* asked = std::get_if<MetricRequest>(&wanted);
       if (request != nullptr && asked != nullptr) return request->metric == asked->metric;
-      return request == nullptr && asked == nullptr &&
-             std::get<Parameter>(term) == std::get<Parameter>(wanted);
+      return term == wanted;
     });
   };
   return has(MetricRequest{Metric::layer_aspect}) ||
@@ -130,7 +129,7 @@ optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context
 
 optim::SolveOptions SearchRun::options(const RunContext& context) const {
   optim::SolveOptions options = options_;
-  options.threads = context.executor.lanes();
+  options.jobs = context.executor.lanes();
   options.stop = context.stop;
   return options;
 }

@@ -5,6 +5,9 @@
 #include <twum/core/metrics.hpp>
 #include <twum/io/formula.hpp>
 
+#include <array>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,9 +16,20 @@
 
 namespace twum::motors {
 
+/// A quantity that a program computes from a motor, such as its cost. Its functions have to be pure and thread-safe. For a
+/// motor without an answer they throw EvaluationError, or return NaN.
+struct OwnMetric {
+  std::string name{};     ///< its name in answers: letters, digits and '_', a letter first
+  std::string unit{"1"};  ///< SI unit of its value
+  std::function<double(const Motor& motor)> value{};  ///< its value
+  /// Its derivatives with respect to every parameter, as MetricDerivative::gradient has them where mu_0 keeps its ratio to
+  /// mu. Empty: it has none; then a search needs a solver without gradients and gives no certificate.
+  std::function<std::array<double, kParameterCount>(const Motor& motor)> gradient{};
+};
+
 /// A name in an expression: a metric ("stall_torque"), a point metric ("torque_at(100 rpm)", "efficiency_at(0.5
-/// N.m)"; the dimension says whether it is a speed or a torque), or a parameter of the design. In SI.
-using Term = std::variant<MetricRequest, Parameter>;
+/// N.m)"; the dimension says whether it is a speed or a torque), a parameter of the design, or a program's own metric. In SI.
+using Term = std::variant<MetricRequest, Parameter, std::shared_ptr<const OwnMetric>>;
 
 /// A quantity of a motor that a study or table can ask for: a term, or a formula of terms such as "thickness / (2 *
 /// contact_half_length)" or "(peak_power - 5 W)^2".
@@ -31,10 +45,16 @@ struct MetricExpression {
   const MetricRequest* request() const;
   /// The parameter, if the expression is a single parameter; otherwise null.
   const Parameter* parameter() const;
+  /// False if a term is an OwnMetric without a gradient.
+  bool has_derivatives() const;
 };
 
 /// The expression for a single parameter.
 MetricExpression expression_of(Parameter parameter);
+/// The expression for a program's own metric, for a DesignProblem or an ExpressionEvaluator. Studies refuse it, because they are
+/// checked as files are.
+/// @throws InputError for a name that is none or that of a metric or parameter, an unknown unit, and without a value
+MetricExpression expression_of(OwnMetric metric);
 
 /// Reads one expression. A single parameter may be given by its symbol; in a formula it may not, because a symbol
 /// such as `h` could be a unit.
@@ -82,19 +102,27 @@ class ExpressionEvaluator {
   /// The metrics that the expressions need, each once.
   std::span<const MetricRequest> requests() const noexcept { return requests_; }
   /// Values of the expressions from the values of requests().
-  void combine(const MotorDesign& design, std::span<const MetricValue> metrics,
+  void combine(const Motor& motor, std::span<const MetricValue> metrics,
                std::span<MetricValue> values) const;
   /// Likewise with derivatives.
-  std::vector<MetricDerivative> combine(const MotorDesign& design,
+  std::vector<MetricDerivative> combine(const Motor& motor,
                                         std::span<const MetricDerivative> metrics,
+                                        bool fixed_static_friction) const;
+  /// Values of expressions of parameters alone.
+  void combine(const MotorDesign& design, std::span<MetricValue> values) const;
+  /// Likewise with derivatives.
+  std::vector<MetricDerivative> combine(const MotorDesign& design,
                                         bool fixed_static_friction) const;
 
  private:
-  using Place = std::variant<std::size_t, Parameter>;  // index into requests_, or a parameter
+  // Index into requests_, a parameter, or a program's own metric.
+  using Place = std::variant<std::size_t, Parameter, std::shared_ptr<const OwnMetric>>;
   struct Asked {
     Formula formula;
     std::vector<Place> places;  // of its terms
   };
+  template <typename Value, typename Find, typename Combine>
+  void combine_terms(const Find& find, const Combine& combine) const;
 
   std::vector<MetricRequest> requests_;
   std::vector<Asked> asked_;
