@@ -2,7 +2,7 @@
 // Torque, power and efficiency against speed, one curve or several over each other, and the fields under the cursor.
 
 import {drawSqueals, paddedRange, scaled} from './chart.js';
-import {atTerminals, curves, data, terminalColumns} from './data.js';
+import {atTerminals, terminalColumns} from './data.js';
 import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {fieldsSection} from './fields.js';
 import {figure, keepFocus} from './figure.js';
@@ -206,11 +206,11 @@ export class CurveSection {
   }
 
   /** The torque alone; limits: those of the design of the last curve. */
-  torque(title, limits = []) {
+  torque(node, title, limits) {
     const follow = 'The fields in the contact follow the mouse, a finger or the arrow keys; drag to zoom.';
     const holder = el('div', {});
-    card(title, follow, 'wide').append(holder);
-    this.limits = limits;
+    node.append(el('p', {}, follow), holder);
+    this.limits = limits ?? [];
     this.drawTorque(holder, title, false);
   }
 
@@ -274,6 +274,12 @@ export class CurveSection {
     this.points();
   }
 
+  /** Everything about the curve of the study's motor. */
+  whole() {
+    this.torque(card('The motor', null, 'wide'), 'The motor', []);
+    this.others();
+  }
+
   points() {
     const own = [
       'speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency',
@@ -288,17 +294,4 @@ export class CurveSection {
             el('details', {}, el('summary', {}, 'All ' + lines.length + ' points'),
                table('curve', ['curve', ...shown.map(shortName)], lines, header)));
   }
-}
-
-/** Everything about several curves: the torque, then the rest. */
-export function curveSection(list, names, title = 'Torque') {
-  const section = new CurveSection(list, names);
-  section.torque(title);
-  section.others();
-}
-
-/** The curve of the study's motor, where the study itself has none. */
-export function motorCurve() {
-  const list = curves.filter(Boolean);
-  if (list.length) curveSection(list, [data.motor.name || 'motor'], 'The motor');
 }

@@ -37,7 +37,8 @@ export function atTerminals(curve) { return Boolean(curve.electrical_power); }
 export const curves = data.curves.map((c) => {
   if (!c) return null;
   const curve = {...c};
-  for (const name of curveColumns) curve[name] = numbers(c[name], Float64Array);
+  for (const name of curveColumns)
+    if (c[name]) curve[name] = numbers(c[name], Float64Array);
   if (c.one_slice_torque) curve.one_slice_torque = numbers(c.one_slice_torque, Float64Array);
   if (c.electrical_power)
     for (const name of terminalColumns) curve[name] = numbers(c[name], Float64Array);
@@ -52,6 +53,3 @@ export function tableRow(name) {
 
 /** SI unit of a parameter, a metric or a metric at an argument, such as "torque_at(100 rpm)". */
 export function unitOf(name) { return (summary.units || {})[name] ?? tableRow(name)?.unit ?? '1'; }
-
-/** Whether a name is a share of the motors. */
-export function isShare(name) { return ['yield', 'probability'].includes(data.names[name]?.statistic); }

@@ -4,8 +4,7 @@
 import {drawLabel, drawnPlaces, isInside} from './chart.js';
 import {data} from './data.js';
 import {colour} from './dom.js';
-import {engineering, rpm} from './units.js';
-import {standingState} from './words.js';
+import {rpm} from './units.js';
 
 /** Where a metric without argument lies on a curve of torque: at this speed or torque. */
 const axisEnds = {
@@ -24,11 +23,11 @@ function speedAt(curve, torque) {
 }
 
 /** Place of a limit on the chart of a column: {x: rpm, y: unit shown, upright}; null where it is not on it. */
-function placeOn(standing, column, curve, unit) {
-  const value = standing.limit;
-  const named = data.names[standing.metric];
+function placeOn(of, column, curve, unit) {
+  const value = of.limit;
+  const named = data.names[of.metric];
   if (!named) {
-    const end = column === 'torque' ? axisEnds[standing.metric] : undefined;
+    const end = column === 'torque' ? axisEnds[of.metric] : undefined;
     if (!end) return null;
     return end.y === 0 ? {x: value / rpm, y: 0, upright: true} : {x: 0, y: value / unit.divisor, upright: false};
   }
@@ -39,23 +38,11 @@ function placeOn(standing, column, curve, unit) {
   return Number.isFinite(speed) ? {x: speed / rpm, y: value / unit.divisor, upright: false} : null;
 }
 
-/** "0.5 N·m at 100 rpm" of a duty or limit on the torque; otherwise the limit alone. */
-function boundText(standing) {
-  const own = {stall_torque: 'stall ', no_load_speed: 'no load '}[standing.metric] ?? '';
-  const sign = own + (standing.side === 'at least' ? '≥ ' : '≤ ');
-  const named = data.names[standing.metric];
-  const at = named && named.argument === 'speed' ? ' at ' + engineering(named.at, 'rad/s') : '';
-  return sign + engineering(standing.limit, standing.unit) + at;
-}
-
 /** Those limits of a design that lie on the chart of a column of its curve. */
-export function limitsOnCurve(standings, column, curve, unit) {
-  return standings.filter((s) => s.metric !== undefined).flatMap((s) => {
-    const place = placeOn(s, column, curve, unit);
-    if (!place) return [];
-    const broken = s.state === 'broken' || s.state === 'unreachable';
-    const text = boundText(s) + (broken ? ' (' + standingState(s) + ')' : '');
-    return [{...place, text, least: s.side === 'at least', broken}];
+export function limitsOnCurve(limits, column, curve, unit) {
+  return limits.flatMap((limit) => {
+    const place = placeOn(limit, column, curve, unit);
+    return place ? [{...limit, ...place}] : [];
   });
 }
 

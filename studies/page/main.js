@@ -1,55 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page, from top to bottom: what came out, the picture, tables, background. The order of each kind is in pages.
+// The page, from top to bottom: what came out, what is said of it in the order of the program, background.
 
-import {calibratePage} from './calibrate.js';
-import {CurveSection, motorCurve} from './curve.js';
+import {CurveSection} from './curve.js';
 import {curves, data, rows, summary, tableRow, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {bullets, card, el, sentence} from './dom.js';
-import {frequencySections} from './frequency.js';
+import {savedMotor} from './motor.js';
 import {capital} from './names.js';
-import {paretoSections} from './pareto.js';
-import {metricsNote, searchSections} from './search.js';
-import {sweepSections} from './sweep.js';
-import {named, quantity, table, valuesTable, words} from './table.js';
-import {headlineNodes, tellSections} from './telling.js';
-import {uncertaintySections} from './uncertainty.js';
+import {frontHooks} from './pareto.js';
+import {sweepHooks} from './sweep.js';
+import {named, quantity, table, words} from './table.js';
+import {saidNodes, tellSections} from './telling.js';
 import {between, engineering, rounded} from './units.js';
-import {memberText, plain} from './words.js';
+import {plain} from './words.js';
 
-/** Members of the answer with their curves; an invalid one has none. */
-function membersWithCurves() {
-  const parameter = summary.family?.parameter;
-  const curveOf = (c) => curves.find((k) => k && (!parameter || k.design[parameter] === c[parameter]));
-  return summary.curves.map((c) => [c, curveOf(c)]).filter(([, curve]) => curve);
+/** The curves of the answer with the fields in the contact, which follow the cursor. */
+function curveHooks() {
+  const list = curves.filter(Boolean);
+  const section = list.length ? new CurveSection(list, list.map((c) => c.label)) : null;
+  return {
+    torque: (node, {heading}) => section?.torque(node, heading, data.limits),
+    others: () => section?.others(),
+    motor: () => section?.whole()
+  };
 }
 
-function curveSections() {
-  const family = summary.family && plain(summary.family.parameter) + ' ';
-  const name = (c) => (family ? family + memberText(c) : data.motor.name || 'motor');
-  const shown = membersWithCurves();
-  const section = shown.length ? new CurveSection(shown.map(([, curve]) => curve), shown.map(([c]) => name(c))) : null;
-  const metrics = Object.keys(summary.curves[0]?.metrics ?? {});
-  const columns = summary.curves.map((c) => ({name: name(c), values: c.metrics}));
-  return [
-    () => section?.torque('Torque'), () => section?.others(),
-    () => card('Metrics', metricsNote(metrics), 'wide').append(valuesTable('metrics', 'metric', metrics, columns))
-  ];
+/** The motors of the answer, which are those of the last curves. */
+function motorFiles(node) {
+  const shown = curves.slice(-data.files.length || undefined);
+  data.files.forEach((file, i) => {
+    const of = shown[i];
+    node.append(savedMotor(file, of && designerButton(of.design, of.label)));
+  });
 }
 
-/** What is told of a kind without a page of its own, and the curve of its motor. */
-function toldSections() { return [() => tellSections(), motorCurve]; }
-
-/** What the kinds show that have something to point at or to choose, in this order. */
-const pages = {
-  curve: curveSections,
-  sweep: sweepSections,
-  optimize: searchSections,
-  size: searchSections,
-  pareto: paretoSections,
-  uncertainty: uncertaintySections,
-  calibrate: () => [calibratePage],
-  frequency: frequencySections
+/** What sections have besides, for a reader who points at it or chooses. */
+const hooks = {
+  ...curveHooks(),
+  ...frontHooks(),
+  ...sweepHooks(),
+  'motor file': motorFiles
 };
 
 /** What every page ends with. */
@@ -79,7 +69,7 @@ function facts() {
 function verdictCard() {
   const told = data.headline;
   const pill = el('p', {class: 'pill'}, capital(told.badge));
-  card(null, null, 'wide verdict ' + told.look, pill, ...headlineNodes(told), facts(), partNote());
+  card(null, null, 'wide verdict ' + told.look, pill, ...saidNodes(told), facts(), partNote());
 }
 
 /** Reasons to doubt the model for these motors; names in them are as one types them. */
@@ -122,19 +112,13 @@ function motorCard() {
       table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
 }
 
-const efficiencies = {
-  contact_efficiency: 'output over the power that the stator gives to the contact',
-  efficiency: 'output over that power and the loss of the vibrating stator',
-  overall_efficiency: 'output over the electrical power; every loss but that of the driver counts'
-};
-
 /** What the names on this page stand for. */
 function glossaryCard() {
   const all = [...rows.columns.map((c) => c.name), ...curves.filter(Boolean).flatMap((c) => Object.keys(c.metrics))];
   const names = [...new Set(all.map((n) => data.names[n]?.metric ?? n))].filter(tableRow);
   const lines = [
     ...names.map((n) => [named(n), words(tableRow(n).text), words(n)]),
-    ...Object.entries(efficiencies).map(([n, text]) => [words(n.replaceAll('_', ' ')), words(text), words(n)])
+    ...Object.entries(data.efficiencies).map(([n, text]) => [words(n.replaceAll('_', ' ')), words(text), words(n)])
   ];
   foldedCard(
       'What the names mean', lines.length + ' names', 'wide',
@@ -185,7 +169,8 @@ function build() {
   const page = document.getElementById('page');
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, data.headline.title)));
   verdictCard();
-  for (const section of [...(pages[summary.kind] ?? toldSections)(), ...background]) section();
+  tellSections(hooks);
+  for (const section of background) section();
   evenHalves();
   page.querySelector('.verdict').after(contents());
   page.dataset.ready = 'yes';

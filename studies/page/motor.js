@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motor of the answer as a file: its name in the result directory, and a button that saves it from the page.
+// Motors of the answer as files: their names in the result directory, and buttons that save them from the page.
 
 import {el, save} from './dom.js';
 

@@ -63,7 +63,7 @@ export class Scatter {
     this.layers = this.counts ? [new DensityLayer(this.counts, x, y), points] : [points];
     node.replaceChildren();
     if (shade) node.append(rampBar(filter.columns[state.colour]));
-    if (this.counts) node.append(rampLegend('designs in a cell', '1', String(this.counts.most)));
+    if (this.counts) node.append(rampLegend('designs', '1', String(this.counts.most)));
     this.plot = this.figure(x, y);
     if (rows.every > 1) node.append(el('p', {class: 'read'}, this.honest()));
   }

@@ -10,7 +10,6 @@ import {heatMap} from './heat.js';
 import {parallelChart} from './parallel.js';
 import {extent} from './ramp.js';
 import {Scatter} from './scatter.js';
-import {tellSections} from './telling.js';
 import {plain} from './words.js';
 
 /** none: a word for no column, whose number is -1. */
@@ -57,21 +56,24 @@ function scatterCard(filter, view, side) {
   view.show(first.row, first.note);
 }
 
-/** The page of a sweep, from top to bottom. */
-export function sweepSections() {
-  if (!rows.count) return [];
+/** The hooks of a sweep: pictures of the designs, and below what is said of them the table. */
+export function sweepHooks() {
+  if (!rows.count || !summary.sampling) return {};
   const filter = new Filter(rows.columns, rows.count);
   const side = el('div', {});
   const view = new DesignView(side, rows.columns);
   const lines =
       'One line for each design. Drag along an axis to keep an interval; click the axis to free it; Escape frees all.';
   const limits = 'Keep the designs within these limits, in the units shown; every view follows.';
-  return [
-    () => heatCard(view), () => scatterCard(filter, view, side),
-    () => parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null),
-    () => card('Filters', limits, 'half filters').append(filterBoxes(filter)), () => tellSections(),
-    () => new DesignsTable(card('The designs', null, 'wide').appendChild(el('div', {})), filter, view)
-  ];
+  return {
+    designs: () => {
+      heatCard(view);
+      scatterCard(filter, view, side);
+      parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null);
+      card('Filters', limits, 'half filters').append(filterBoxes(filter));
+    },
+    list: () => new DesignsTable(card('The designs', null, 'wide').appendChild(el('div', {})), filter, view)
+  };
 }
 
 /** True if the metric changes where this variable is held. */

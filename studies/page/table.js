@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables that can be taken along as CSV: engineering units on the page, SI values in the file.
 
-import {tableRow, unitOf} from './data.js';
+import {tableRow} from './data.js';
 import {el, save} from './dom.js';
-import {engineering, slicesText} from './units.js';
+import {engineering} from './units.js';
 import {plain} from './words.js';
 
 /** More rows than these are shown when asked for. */
@@ -80,17 +80,4 @@ export function tableSaved(file, header, lines, make) {
   const head = el('tr', {}, header.map((h, i) => el('th', {scope: 'col', class: wordy(i)}, h)));
   const {scroll, more} = tableFrame(file, head, lines.map((line) => el('tr', {}, line.map(cell))));
   return el('div', {}, scroll, el('div', {class: 'table-tools'}, more, saveButton(file, make)));
-}
-
-/** The value of a parameter or metric. */
-export function parameterCell(name, value) {
-  return name === 'radial_slices' ? words(slicesText(value)) : quantity(value, unitOf(name));
-}
-
-/** Names with values in SI units, side by side: before and after, or several designs. */
-export function valuesTable(file, first, names, columns) {
-  const titles = columns.map((c) => c.name);
-  const lines = names.map((name) => [named(name), ...columns.map((c) => parameterCell(name, c.values[name]))]);
-  const csvLines = names.map((name) => [name, unitOf(name), ...columns.map((c) => c.values[name])]);
-  return tableSaved(file, [first, ...titles], lines, () => csvText([first, 'SI unit', ...titles], csvLines));
 }

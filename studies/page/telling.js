@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws what the program says about an answer: sections of sentences, tables and charts. It decides nothing.
 
-import {drawLabel, paddedRange, scaled} from './chart.js';
+import {logRange, paddedRange, scaled} from './chart.js';
 import {data, summary} from './data.js';
-import {bold, bullets, card, el, sentence, svg} from './dom.js';
+import {bold, bullets, card, colour, el, sentence, svg} from './dom.js';
 import {figure} from './figure.js';
-import {capital} from './names.js';
+import {drawGuides, drawLevel, drawPath, hatch} from './guides.js';
 import {table} from './table.js';
-import {upright} from './uncertainty.js';
-import {displayUnit, largest} from './units.js';
+import {displayUnit, engineering, largest, percent} from './units.js';
 
 /** A text, or texts and {b: text} for what stands out, as children of an element. */
 function phrase(parts) {
   return typeof parts === 'string' ? [parts] : parts.map((p) => (typeof p === 'string' ? p : bold(p.b)));
 }
 
-/** The sentences and remarks of a headline. */
-export function headlineNodes({sentences, remarks}) {
+/** The sentences and remarks of a headline or of a section. */
+export function saidNodes({sentences, remarks}) {
   const lines = sentences.map((s) => sentence(...phrase(s)));
   return remarks.length ? [...lines, bullets(remarks.map(phrase))] : lines;
 }
@@ -30,7 +29,8 @@ function valueAt(value, keys) {
 
 /** Numbers of a chart: a list, or a path into summary.json. */
 function numbersAt(where) {
-  return Float64Array.from(typeof where === 'string' ? valueAt(summary, where.split('/')) : where);
+  const list = typeof where === 'string' ? valueAt(summary, where.split('/')) : where;
+  return Float64Array.from(list, (v) => v ?? NaN);
 }
 
 /** The unit in which an axis is shown. */
@@ -38,66 +38,165 @@ function unitOfAxis(axis, lists) {
   return axis.unit === '%' ? {text: '%', divisor: 0.01} : displayUnit(largest(lists), axis.unit);
 }
 
-function rangeOf({low, high, zero}, unit, lists) {
-  const [least, most] = paddedRange(lists, zero);
+function rangeOf({low, high, zero}, unit, lists, log) {
+  const [least, most] = log ? logRange(lists) : paddedRange(lists, zero);
   return [low === null ? least : low / unit.divisor, high === null ? most : high / unit.divisor];
 }
 
-/** Bars that keep the limit of the chart, and those that break it, as two series. */
-function barSeries(chart, name, x, y) {
-  const fails = (i) => {
-    const middle = (x[i] + x[i + 1]) / 2;
-    return (chart.least !== null && middle < chart.least) || (chart.most !== null && middle > chart.most);
-  };
-  const pick = (wanted) => Float64Array.from(x, (_, i) => (y[i] > 0 && fails(i) === wanted ? y[i] : NaN));
-  const both = [{name, y: pick(false), colour: 'c0', bars: true, kind: 'area'}];
-  if (chart.least !== null || chart.most !== null)
-    both.push({name: 'breaks it', y: pick(true), colour: 'c1', bars: true, kind: 'area'});
-  return both;
+/** How many points of a series stand at each place. */
+function counted(x) {
+  const counts = new Map();
+  for (const v of x) counts.set(v, (counts.get(v) ?? 0) + 1);
+  return counts;
 }
 
-/** A series of the program as series of a chart, not yet in units. */
-function strokesOf(chart, {name, stroke, x, y}) {
-  const [across, up] = [numbersAt(x), numbersAt(y)];
-  if (stroke === 'bars') return barSeries(chart, name, across, up);
-  if (stroke === 'outline')
-    return [
-      {name, y: Float64Array.from(across, (_, i) => up[i] ?? 0), colour: 'ink', steps: true, dash: [5, 4], kind: 'dash'}
+/** The places of all series from left to right; one with several dots of a series is there as often. */
+function gridOf(list) {
+  const most = new Map();
+  for (const {stroke, x} of list)
+    for (const [v, n] of counted(x)) most.set(v, Math.max(most.get(v) ?? 0, stroke === 'dots' ? n : 1));
+  const places = [...most.keys()].filter(Number.isFinite).sort((a, b) => a - b);
+  return Float64Array.from(places.flatMap((v) => Array(most.get(v)).fill(v)));
+}
+
+function dotsOn(grid, {x, y}) {
+  const at = new Map();
+  x.forEach((v, i) => at.set(v, [...(at.get(v) ?? []), y[i]]));
+  return Float64Array.from(grid, (v) => at.get(v)?.shift() ?? NaN);
+}
+
+/** Values between the points of a line, nothing beyond them: straight, or those of the last point. */
+function lineOn(grid, {stroke, x, y}) {
+  const falls = x[x.length - 1] < x[0];
+  const [from, to] = falls ? [[...x].reverse(), [...y].reverse()] : [x, y];
+  let i = 0;
+  return Float64Array.from(grid, (v) => {
+    if (!(v >= from[0] && v <= from[from.length - 1])) return NaN;
+    while (i < from.length - 2 && from[i + 1] <= v) ++i;
+    if (v === from[i + 1]) return to[i + 1];
+    if (stroke === 'steps' || v === from[i]) return to[i];
+    return to[i] + ((v - from[i]) / (from[i + 1] - from[i])) * (to[i + 1] - to[i]);
+  });
+}
+
+/** The values of a series at the places of its chart. */
+function onGrid(grid, series) {
+  const {stroke, y} = series;
+  if (stroke === 'bars') return Float64Array.from(grid, (_, i) => (y[i] > 0 ? y[i] : NaN));
+  if (stroke === 'outline') return Float64Array.from(grid, (_, i) => y[i] ?? 0);
+  return stroke === 'dots' ? dotsOn(grid, series) : lineOn(grid, series);
+}
+
+const looks = {
+  dashes: {dash: [3, 4]},
+  dots: {scatter: true},
+  steps: {steps: true},
+  outline: {steps: true, dash: [5, 4]},
+  bars: {bars: true}
+};
+const signs = {
+  dashes: 'dash',
+  dots: 'dot',
+  outline: 'dash',
+  bars: 'area'
+};
+
+/** Entries of the key, each name once. */
+function legendOf(series, guides) {
+  const list = series.flatMap(
+      (s) =>
+          [{name: s.name, colour: s.colour, kind: signs[s.stroke] ?? ''},
+           ...(s.half ? [{name: s.band, colour: s.colour, kind: 'area'}] : [])]);
+  if (guides.some((g) => g.kind === 'limit')) list.push({name: 'limit', colour: 'c1', kind: ''});
+  if (guides.some((g) => g.kind === 'quantile' && g.text)) list.push({name: 'quantile', colour: 'ink', kind: 'dash'});
+  return list.filter((e, i) => e.name && list.findIndex((o) => o.name === e.name) === i);
+}
+
+/** Two ranges about their middles, as long as the longer one. */
+function alike(ranges) {
+  const half = Math.max(...ranges.map(([low, high]) => (high - low) / 2));
+  return ranges.map(([low, high]) => [(low + high) / 2 - half, (low + high) / 2 + half]);
+}
+
+/** The numbers of a chart, SI. */
+export function seriesOfChart(chart) {
+  return chart.series.map((s) => ({...s, x: numbersAt(s.x), y: numbersAt(s.y), half: s.half && numbersAt(s.half)}));
+}
+
+/** Lines with the edges of their bands behind all of them, in the units shown. */
+function drawnSeries(list, grid, divisor) {
+  const lines = list.map((s) => ({name: s.name, colour: s.colour, ...looks[s.stroke], y: onGrid(grid, s)}));
+  const banded = list.filter((s) => s.half);
+  const edge = (s, sign) => onGrid(grid, {...s, y: s.y.map((v, i) => v + sign * s.half[i])});
+  const edges =
+      banded.flatMap((s) => [-1, 1].map((sign) => ({name: s.band, colour: s.colour, hidden: true, y: edge(s, sign)})));
+  const fill = (s) => () => colour(s.colour) + '40';
+  const bands = banded.map((s, i) => ({series: [lines.length + 2 * i + 2, lines.length + 2 * i + 1], fill: fill(s)}));
+  return {series: [...lines, ...edges].map((s) => ({...s, y: scaled(s.y, divisor)})), lines: lines.length, bands};
+}
+
+function shownValue(value, unit) { return unit === '%' ? percent(value, 4) : engineering(value, unit); }
+
+/** What the cursor reads: the bin, or the values of all series there. */
+function readingOf(chart, grid, list, shown, divisors, i) {
+  const {x, y} = chart;
+  const bars = list.filter((s) => s.stroke === 'bars');
+  if (bars.length)
+    return i + 1 >= grid.length ? [] : [
+      ['between', shownValue(grid[i], x.unit) + ' and ' + shownValue(grid[i + 1], x.unit)],
+      [y.name, shownValue(bars.reduce((sum, s) => sum + s.y[i], 0), y.unit)]
     ];
-  return [{name, y: up, colour: 'c0'}, {name: '', y: up, colour: 'c0', scatter: true}];
+  const values = list.map((s, k) => [s.name || y.name, shown[k].y[i] * divisors.y]).filter(([, v]) => !Number.isNaN(v));
+  return [[x.name, shownValue(grid[i], x.unit)], ...values.map(([name, v]) => [name, shownValue(v, y.unit)])];
 }
 
-function drawGuides(u, guides, divisor, taken) {
-  u.ctx.save();
-  for (const {at} of guides) upright(u, at / divisor, 'c1', false);
-  u.ctx.restore();
-  const places = guides.flatMap(
-      ({at}) => Array.from(
-          {length: 12}, (_, i) => [u.valToPos(at / divisor, 'x', true), u.bbox.top + 6 * i * devicePixelRatio]));
-  for (const {at, text} of guides)
-    drawLabel(u, text, u.valToPos(at / divisor, 'x', true), u.bbox.top + 14 * devicePixelRatio, taken, places);
-}
-
-function draw(node, chart) {
-  const x = numbersAt(chart.series[0].x);
-  const series = chart.series.flatMap((one) => strokesOf(chart, one));
-  const ys = series.map((s) => s.y);
-  const [across, up] = [unitOfAxis(chart.x, [x]), unitOfAxis(chart.y, ys)];
-  const shown = series.map((s) => ({...s, y: scaled(s.y, up.divisor)}));
-  const marks = chart.marks.map((m) => ({x: m.x / across.divisor, y: m.y / up.divisor, text: m.text, colour: 'c1'}));
+/**
+ * Draws a chart; its plot.
+ * more: further options of figure(), and log: {x, y}, which axes are logarithmic
+ */
+export function draw(node, chart, more = {}) {
+  const all = seriesOfChart(chart);
+  const [paths, list] = [all.filter((s) => s.stroke === 'path'), all.filter((s) => s.stroke !== 'path')];
+  const grid = gridOf(list);
+  const [across, up] = [unitOfAxis(chart.x, all.map((s) => s.x)), unitOfAxis(chart.y, all.map((s) => s.y))];
+  const lines = paths.map((s) => ({...s, x: scaled(s.x, across.divisor), y: scaled(s.y, up.divisor)}));
+  const {series, lines: count, bands} = drawnSeries(list, grid, up.divisor);
+  const x = scaled(grid, across.divisor);
+  const marks = chart.marks.map((m) => ({...m, x: m.x / across.divisor, y: m.y / up.divisor, small: !m.text}));
+  const log = more.log ?? {};
+  let ranges = [
+    rangeOf(chart.x, across, [x, ...lines.map((s) => s.x)], log.x),
+    rangeOf(
+        chart.y, up, [...series.map((s) => s.y), ...lines.map((s) => s.y), Float64Array.from(marks.map((m) => m.y))],
+        log.y)
+  ];
+  if (chart.round) ranges = alike(ranges);
   const label = (axis, unit) => axis.name + (unit.text ? ' [' + unit.text + ']' : '');
-  const legend = series.filter((s) => s.name).map(({name, colour: c, kind}) => ({name, colour: c, kind}));
-  if (chart.guides.length) legend.push({name: 'limit', colour: 'c1', kind: undefined});
-  const heights = [...shown.map((s) => s.y), Float64Array.from(marks.map((m) => m.y))];
-  figure(node, scaled(x, across.divisor), shown, {
+  const legend = legendOf(all, chart.guides);
+  const guides = chart.guides.filter((g) => g.kind !== 'level').map((g) => ({...g, at: g.at / across.divisor}));
+  const levels = chart.guides.filter((g) => g.kind === 'level').map((g) => g.at / up.divisor);
+  const divisors = {x: across.divisor, y: up.divisor};
+  return figure(chart.round ? node.appendChild(el('div', {class: 'round'})) : node, x, series, {
     name: chart.name,
-    title: capital(chart.title),
+    title: chart.title,
     legend: legend.length ? legend : undefined,
-    x: {label: label(chart.x, across), range: rangeOf(chart.x, across, [scaled(x, across.divisor)])},
-    y: {label: label(chart.y, up), range: rangeOf(chart.y, up, heights)},
-    height: 230,
+    x: {label: label(chart.x, across), range: ranges[0], log: log.x},
+    y: {label: label(chart.y, up), range: ranges[1], log: log.y},
     marks,
-    front: (u, taken) => drawGuides(u, chart.guides, across.divisor, taken)
+    bands,
+    tell: (i) => readingOf(chart, grid, list, series.slice(0, count), divisors, i),
+    ...more,
+    height: chart.round ? 380 : more.height,
+    ground: (u) => {
+      levels.forEach((v) => drawLevel(u, v));
+      if (chart.least !== null) hatch(u, ranges[0][0], chart.least / across.divisor);
+      if (chart.most !== null) hatch(u, chart.most / across.divisor, ranges[0][1]);
+      lines.forEach((s) => drawPath(u, s));
+    },
+    front: (u, taken) => {
+      drawGuides(u, guides, taken);
+      more.front?.(u, taken);
+    }
   });
 }
 
@@ -136,10 +235,10 @@ function barRows(entries, low, high) {
 
 /** A bar for each row of a table, as long as the number in one of its columns. */
 function drawBars(node, {of, inner, low, high, both_ways: signed, full}, {rows}) {
-  const number = (row, column) => (column ? row[column].value ?? NaN : undefined);
+  const number = (row, column) => (column ? row[column][1] ?? NaN : undefined);
   const entries = rows.map((row) => ({
-                             name: row[0].text,
-                             text: row[of].text,
+                             name: typeof row[0] === 'string' ? row[0] : row[0][0],
+                             text: row[of][0],
                              value: signed ? number(row, of) : Math.abs(number(row, of)),
                              second: number(row, inner),
                              low: number(row, low),
@@ -149,23 +248,54 @@ function drawBars(node, {of, inner, low, high, both_ways: signed, full}, {rows})
   node.append(barRows(entries, signed ? -longest : 0, longest));
 }
 
+/** A cell of the program: words, [words, name], [number as text, number], or [words, words, tone]. */
+function toldCell(cell) {
+  if (typeof cell === 'string') return {text: cell, value: cell, words: true};
+  const [text, value, tone] = cell;
+  return {text, value, words: typeof value === 'string', look: tone && tone + '-word'};
+}
+
+/** Cells that are the darker, the nearer their numbers are to 1 or -1. */
+function shade(node) {
+  for (const cell of node.querySelectorAll('td[data-value]')) {
+    const value = Number(cell.dataset.value);
+    cell.style.background = 'color-mix(in srgb, var(--' + (value < 0 ? 'c1' : 'c0') + ') ' +
+        Math.round(60 * Math.abs(value)) + '%, transparent)';
+  }
+}
+
+/** A table with its file in SI units. */
+export function toldTable({name, heads, rows, units, shaded}) {
+  const saved = heads.map((head, i) => head + (units[i] ? ' [' + units[i] + ']' : ''));
+  const node = table(name, heads, rows.map((row) => row.map(toldCell)), saved);
+  if (shaded) shade(node);
+  return node;
+}
+
 /** Tables, folded away below bars where these say as much. */
 function drawTables(node, {tables, folded}) {
-  const drawn = tables.map(({name, heads, rows}) => table(name, heads, rows));
+  const drawn = tables.map(toldTable);
   if (drawn.length) node.append(...(folded ? [el('details', {}, el('summary', {}, 'Numbers'), ...drawn)] : drawn));
 }
 
-/** A section of the page. */
+/** A section of the page. Several charts stand beside each other. */
 function tell(section, hooks) {
-  const node = card(capital(section.heading), section.note || null, section.wide ? 'wide' : 'half');
-  for (const chart of section.charts) draw(node, chart);
+  const hook = hooks[section.hook];
+  if (!section.heading) return hook();
+  const node = card(section.heading, section.note.length ? phrase(section.note) : null, section.wide ? 'wide' : 'half');
+  const several = section.charts.length > 1;
+  const holder = several ? node.appendChild(el('div', {class: 'charts'})) : node;
+  const height = section.wide && !several ? 300 : 240;
+  if (!hook?.draws)
+    for (const chart of section.charts) draw(several ? holder.appendChild(el('div', {})) : node, chart, {height});
   if (section.bars) drawBars(node, section.bars, section.tables[0]);
-  for (const s of section.sentences) node.append(el('p', {}, ...phrase(s)));
-  if (section.hook) node.append(hooks[section.hook]());
+  node.append(...saidNodes(section));
   drawTables(node, section);
+  hook?.(node, section);
+  return node;
 }
 
-/** Every section that the program has for this answer. hooks: by name, what a section has besides, as elements */
-export function tellSections(hooks = {}) {
+/** Every section that the program has for this answer. hooks: by name, what a section has besides */
+export function tellSections(hooks) {
   for (const section of data.sections) tell(section, hooks);
 }

@@ -20,9 +20,6 @@ function unitsOf(unit) {
   return units ?? [{text: unit, typed: unit, divisor: 1}];
 }
 
-/** An SI unit as one reads it: "N·m" and "W/m²" for N.m and W/m^2. */
-export function siUnitText(unit) { return unitsOf(unit).find((u) => u.divisor === 1)?.text ?? unit; }
-
 /** Unit in which a value of this size has one to three digits before the point, where the unit takes a prefix. */
 export function displayUnit(size, unit) {
   const units = unitsOf(unit);
@@ -47,30 +44,11 @@ export function rounded(value, digits = 4) {
   return size !== 0 && (size < 1e-4 || size >= 1e7) ? text.toExponential() : String(text);
 }
 
-/** The same in a sentence: "1.2 · 10⁻¹⁰". */
-export function printed(value, digits = 4) {
-  const raised = (sign, power) => (sign === '-' ? '⁻' : '') + [...power].map((d) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d]).join('');
-  return rounded(value, digits)
-      .replace(/e([+-])(\d+)$/, (_, sign, power) => noBreak + '·' + noBreak + '10' + raised(sign, power));
-}
-
 /** An SI value as people say it: "1.6 µm", "141.6 rpm". */
 export function engineering(value, unit, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '-';
   const shown = displayUnit(value, unit);
   return rounded(value / shown.divisor, digits) + (shown.text ? noBreak + shown.text : '');
-}
-
-/** Digits that tell the ends of an interval apart: two of half its width, and four at least. */
-export function intervalDigits(low, high) {
-  const size = Math.max(Math.abs(low), Math.abs(high));
-  const digits = Math.ceil(Math.log10((2 * size) / (high - low))) + 1;
-  return Number.isFinite(digits) ? Math.min(Math.max(digits, 4), 9) : 4;
-}
-
-/** The same of a difference or a spread: what is rounding of values of the scale is 0. */
-export function spreadText(value, unit, scale, digits = 3) {
-  return Math.abs(value) <= 1e-9 * Math.abs(scale) ? '0' : engineering(value, unit, digits);
 }
 
 /** "0.8 to 2.2 µm" */

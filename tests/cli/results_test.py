@@ -154,6 +154,9 @@ class Results(program.Case):
         line = next(line for line in self.ok("compare", one, two).splitlines()
                     if line.lstrip().startswith("max ") and "stall_torque" in line)
         self.assertRegex(line, r"\+2[0-9.]+ %$")
+        rows = self.ok("compare", one, two, "--format", "markdown").splitlines()
+        self.assertRegex(next(row for row in rows if row.startswith("| max | stall\\_torque |")), r"\| \+2[0-9.]+ % \|$")
+        self.assertEqual({row.count("|") - row.count("\\|") for row in rows}, {len(rows[0].split(" | ")) + 1})
 
 
 if __name__ == "__main__":

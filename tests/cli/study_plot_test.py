@@ -113,9 +113,9 @@ class Pictures(program.Case):
         watts = (broken[first][1] - broken[last][1]) / (grey[first][1] - grey[last][1])
         high, low = (broken[first][1] + watts * (y - grey[first][1]) for y in (top, bottom))
         beyond = sum(not low <= p <= high for p in power)
-        self.assertIn(f"evaluation; {beyond} beyond the axis stand at its edge", pictures["search"].words())
+        self.assertIn(f"optimize-ring-60: how the search went; {beyond} beyond the axis stand at its edge", pictures["search"].words())
         # The best is found early: the line ends as high as the highest green dot.
-        self.assertAlmostEqual(pictures["search"].lines[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
+        self.assertAlmostEqual(pictures["search"].pieces[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
 
     def test_curves_before_and_after_with_the_duty(self):
         pictures = self.drawn("size-05Nm-100rpm")
@@ -202,7 +202,7 @@ class Pictures(program.Case):
 
     def test_a_calibration_shows_points_fit_and_residuals(self):
         pictures = self.drawn("calibrate")
-        self.assertEqual(set(pictures), {"fit", "residuals", "curve", "fields"})
+        self.assertEqual(set(pictures), {"fit", "residuals", "curve", "fields"} | {f"profile-{name}" for name in self.summary["estimates"]})
         data = self.summary["data"]
         measured = pictures["fit"].dots["rgb(  0,   0,   0)"]
         self.assert_places(measured, [p["speed"] for p in data], [p["torque"] for p in data])
@@ -220,8 +220,8 @@ class Pictures(program.Case):
     def test_readings_of_several_kinds(self):
         (self.folder / "points.csv").write_text(POINTS)
         pictures = self.drawn("several", SEVERAL % DRIVE)
-        words = pictures["residuals"].words()
-        self.assertTrue({"residual in standard deviations", "no-load speed", "holding torque", "start voltage"} <= set(words))
+        for name, label in (("no_load_speed", "measured - fitted [rpm]"), ("holding_torque", "measured - fitted [mN·m]"), ("start_voltage", "measured - fitted [V]")):
+            self.assertIn(label, pictures[f"residuals-{name}"].words())
         self.assertNotIn("fit", pictures)
 
     def test_every_kind_of_data_is_drawn_with_its_fit(self):
@@ -232,7 +232,7 @@ class Pictures(program.Case):
                                                 "".join(f"{f},{g},1e-3,{b},1e-3\n" for f, g, b in rows))
         pictures = self.drawn("circle", f"twum: 1\nmotor: {DRIVE}\nstudy: {{kind: calibrate, data: circle.csv, "
                                         "variables: {quality_factor: {min: 50, max: 400}, modal_mass: {min: 10 g, max: 60 g}}}\n")
-        self.assertTrue({"fit-conductance", "fit-susceptance", "circle", "residuals"} <= set(pictures))
+        self.assertTrue({"fit-conductance", "fit-susceptance", "circle", "residuals-conductance", "residuals-susceptance"} <= set(pictures))
         self.assertNotIn("fit", pictures)
         black = "rgb(  0,   0,   0)"
         frequency, conductance, susceptance = zip(*rows)

@@ -21,8 +21,8 @@ FOLDERS = {
     "optim": ["sampling", "problem", "solvers", "certificate", "search", "fronts", "fit", "robust"],
     "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
     "studies/motors": ["materials", "metrics", "file", "tables"],
-    "studies": ["statistics", "problem", "entries", "results", "telling", "kinds/rows", "kinds/sample", "kinds/sensitivity",
-                "kinds/calibrate", "kinds/robust", "kinds/search", "stored", "report", "datasheet", "run"],
+    "studies": ["statistics", "problem", "entries", "results", "kinds/rows", "kinds/sample", "kinds/sensitivity",
+                "kinds/calibrate", "kinds/robust", "kinds/search", "telling", "stored", "report", "datasheet", "run"],
 }
 # Public headers whose functions and classes a source of another name defines, and those of types alone, in the lowest folder that
 # needs them.

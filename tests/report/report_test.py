@@ -132,8 +132,8 @@ class Numbers(Page):
         first, second = (o["metric"] for o in summary["objectives"][:2])
         order = sorted(range(len(summary["front"])), key=lambda i: summary["front"][i]["metrics"][first])
         target = order[len(order) // 3]
-        left, above, width, height = self.box("front 0 1")
-        x, y = self.browser.value("""(() => { const u = document.querySelector('[data-chart="front 0 1"]').plot; const i = %d;
+        left, above, width, height = self.box("front")
+        x, y = self.browser.value("""(() => { const u = document.querySelector('[data-chart="front"]').plot; const i = %d;
             return [u.valToPos(u.data[0][i], 'x'), u.valToPos(u.data[1][i], 'y')]; })()""" % (len(order) // 3))
         self.browser.click(left + x, above + y)
         self.assertIn(f"Point {target + 1}", self.browser.value("document.querySelector('#chosen h2').textContent"))

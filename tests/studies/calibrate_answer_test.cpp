@@ -86,22 +86,21 @@ CalibrateResult fitted_by(double factor) {
 
 TEST_CASE("estimates stand with their intervals in one unit", "[studies][calibrate][words]") {
   CalibrateResult result = fit();
-  CHECK(barred(answer_text(result)) ==
-        "Estimates with intervals of 95 %\n"
-        "\n"
-        "parameter | value | low | high\n"
-        "kinetic_friction | 0.2 | 0.19 | 0.21\n"
-        "amplitude | 1.5 | 1.4 | 1.6 | um\n"
-        "\n"
-        "4 points, residual rms 1 mN.m, largest 2 mN.m at 28.65 rpm (measured - fitted)\n");
+  const std::string text = barred(sections_text(result));
+  CHECK_THAT(text, StartsWith("Estimates with intervals of 95 %\n"
+                              "parameter | value | low | high\n"
+                              "kinetic_friction | 0.2 | 0.19 | 0.21\n"
+                              "amplitude | 1.5 um | 1.4 um | 1.6 um\n"));
+  CHECK_THAT(text, Contains("\nHow well it fits\n4 points, residual rms 1 mN.m, largest 2 mN.m of "
+                            "torque_at(28.65 rpm) (measured - fitted).\n"));
   // 3 rad/s are 3 * 30 / pi = 28.648 rpm.
   result.estimates[0].bound = Bound::max;
   result.estimates[0].followers = {{"amplitude", 0.5}, {"preload", -1}};
   result.estimates[1].low = result.estimates[1].high = kNaN;
   result.undetermined = {{{"amplitude"}, kNaN}};
-  CHECK_THAT(barred(answer_text(result)),
-             Contains("kinetic_friction | 0.2 | - | - | held by its max\n"
-                      "amplitude | 1.5 | - | - | um | not determined\n"));
+  CHECK_THAT(barred(sections_text(result)),
+             Contains("kinetic_friction | 0.2 | 0.19 | 0.21 | held by its max\n"
+                      "amplitude | 1.5 um | - | - | not determined\n"));
   CHECK_THAT(
       headline_text(result, "undetermined"),
       Contains("kinetic_friction 0.2 (held by its max), amplitude 1.5 um (not determined)."));
@@ -149,9 +148,9 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   CHECK(json["data"][0]["fitted"] == 0.499);
   CHECK(json["units"]["amplitude"] == "m");
   CHECK(json["units"]["residual_sd"] == "N.m");
-  const std::string text = answer_text(result);
-  CHECK_THAT(text, Contains("chi-square 3.5 with 2 degrees of freedom, p = 0.17\n"));
-  CHECK_THAT(text, Contains("order of speed: correlation -0.25 of 3 points, p = 1\n"));
+  const std::string text = sections_text(result);
+  CHECK_THAT(text, Contains("chi-square 3.5 with 2 degrees of freedom, p = 0.17.\n"));
+  CHECK_THAT(text, Contains("order of speed: correlation -0.25 of 3 points, p = 1.\n"));
   CHECK(answer_json(fit())["fit"]["chi_square"].is_null());
   CHECK(answer_json(fit())["fit"]["neighbours"].is_null());
 }
@@ -162,7 +161,7 @@ TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibra
   start(result, optim::Outcome::failed, {});
   CHECK(headline_text(result, "failed") ==
         "No fit was found. The motor has no torque at one of the speeds measured.\n");
-  CHECK(answer_text(result).empty());
+  CHECK_THAT(sections_text(result), StartsWith("The points\n"));  // and nothing else
   const Json json = answer_json(result);
   CHECK(json["estimates"].empty());
   CHECK(json["residual_rms"].is_null());
@@ -250,7 +249,7 @@ TEST_CASE("intervals are measured against the ranges that were searched",
   CHECK(noted(result,
               "The points hardly determine kinetic_friction: its interval is wider than "
               "its range."));
-  CHECK_THAT(answer_text(result), Contains("wider than its range\n"));
+  CHECK_THAT(sections_text(result), Contains("wider than its range\n"));
   result.estimates[1].log = true;
   result.estimates[1].low = 0.7e-6;  // a ratio of 4.3; its range has one of 4
   result.estimates[1].high = 3e-6;
@@ -298,7 +297,7 @@ TEST_CASE("intervals of little use, and those that the range cuts off, are named
             "The points say little about kinetic_friction: the ends of its interval differ by more "
             "than a factor of 3."));
   CHECK(std::string(result.verdict()) == "undetermined");
-  CHECK_THAT(answer_text(result), Contains("hardly determined\n"));
+  CHECK_THAT(sections_text(result), Contains("hardly determined\n"));
   result.estimates[0].low_cut = true;
   CHECK(noted(result,
               "The interval of kinetic_friction ends where the range does: the points allow values "
@@ -356,15 +355,15 @@ TEST_CASE("starts are reported by where they ended", "[studies][calibrate][words
               "3 starts ended in 2 different places; the first in the table has the smallest "
               "residuals."));
   CHECK(noted(result, "With so many places more starts may find a better one: try starts: 20."));
-  CHECK_THAT(barred(answer_text(result)),
-             EndsWith("\n\nstarts | residual rms | kinetic_friction | amplitude\n"
-                      "3 | 1 mN.m | 0.2 | 1.5 um\n"
-                      "1 | 2 mN.m | 0.3 | 1 um\n"));
+  CHECK_THAT(barred(sections_text(result)),
+             Contains("\nstarts | residual rms | kinetic_friction | amplitude | remark\n"
+                      "3 | 1 mN.m | 0.2 | 1.5 um | the answer\n"
+                      "1 | 2 mN.m | 0.3 | 1 um | -\n"));
   CHECK(result.equals() == 1);
   result.optima[1].fits_as_well = true;
   CHECK(std::string(result.verdict()) == "several");
   CHECK_FALSE(note(result, "The data cannot tell 2 different motors apart").empty());
-  CHECK_THAT(barred(answer_text(result)), EndsWith("1 | 2 mN.m | 0.3 | 1 um | fits as well\n"));
+  CHECK_THAT(barred(sections_text(result)), Contains("1 | 2 mN.m | 0.3 | 1 um | fits as well\n"));
 }
 
 TEST_CASE("what leaves no doubt, or no way to tell, is said", "[studies][calibrate][words]") {
@@ -382,7 +381,7 @@ TEST_CASE("what leaves no doubt, or no way to tell, is said", "[studies][calibra
               "followed it."));
   result.chi_square = 0;
   result.degrees_of_freedom = 1;
-  CHECK_THAT(answer_text(result), Contains("with 1 degree of freedom"));
+  CHECK_THAT(sections_text(result), Contains("with 1 degree of freedom"));
 }
 
 TEST_CASE("parameters that are all held leave nothing that was fitted",

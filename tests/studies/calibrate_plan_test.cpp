@@ -135,7 +135,7 @@ TEST_CASE("columns without standard deviations are weighed by their own scatter 
   CHECK(run.result().columns[0].deviation == Approx(4e-3).epsilon(0.35));
   CHECK(run.result().columns[1].deviation == Approx(0.5 * kRpm).epsilon(0.35));
   CHECK_THAT(run.text(),
-             Contains("Scatter of each column, from its residuals: torque_at (points.csv)"));
+             Contains("Scatter of each column, from its residuals: torque (points.csv)"));
   for (std::size_t j = 0; j < kTruth.size(); ++j) {
     CHECK(run.result().estimates[j].low < kTruth[j].second);
     CHECK(run.result().estimates[j].high > kTruth[j].second);

@@ -92,7 +92,7 @@ struct Run {
   const CalibrateResult& result() const { return std::get<CalibrateResult>(answer.answer); }
   std::string json() const { return answer_json(result()).dump(); }
   std::string text() const {
-    return headline_text(answer.answer, answer.outcome) + answer_text(result());
+    return headline_text(answer.answer, answer.outcome) + sections_text(answer.answer);
   }
   std::vector<StoredRow> rows() const {
     std::vector<StoredRow> rows;

@@ -160,7 +160,7 @@ TEST_CASE("three points whose rated one is missed visibly are no fit", "[studies
 }
 
 TEST_CASE("a residual of minus nothing is nothing", "[studies][calibrate]") {
-  CHECK_THAT(answer_text(missed_by(-0.0)), Contains("largest 0 N.m at "));
+  CHECK_THAT(sections_text(missed_by(-0.0)), Contains("largest 0 N.m of torque_at("));
 }
 
 TEST_CASE("a fit that bends away from the points is no fit", "[studies][calibrate]") {
@@ -202,7 +202,7 @@ TEST_CASE("equal readings that the motor misses alike are called nearly equal",
   const Run run(one.file(
       "no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque [N.m],holding_torque_sd [N.m],"
       "preload [N]\n140,1,0.9,0.02,160\n140,1,0.9,0.02,165\n140,1,0.9,0.02,170\n"));
-  CHECK_THAT(run.text(), Contains("The 3 residuals of no_load_speed in order of preload are nearly "
+  CHECK_THAT(run.text(), Contains("The 3 residuals of no-load speed in order of preload are nearly "
                                   "equal: chance makes neighbours as much alike with p = ") &&
                              Contains("the motor misses each of these numbers by the same amount"));
   // All equal: the probability is below the error of its integral.
@@ -210,7 +210,7 @@ TEST_CASE("equal readings that the motor misses alike are called nearly equal",
   result.data.push_back(result.data.front());
   result.data.push_back(result.data.front());
   result.neighbours = optim::NeighbourTest{3, 1, 0};
-  CHECK_THAT(answer_text(result),
+  CHECK_THAT(sections_text(result),
              Contains("The 3 residuals of torque in order of speed are nearly "
-                      "equal: chance makes neighbours as much alike with p < 1e-6"));
+                      "equal: chance makes neighbours as much alike with p < 1e-06."));
 }

@@ -209,7 +209,7 @@ TEST_CASE("a choice goes together with whole numbers and derived parameters", "[
   for (const StoredRow& row : search.rows()) seen.insert({row.values[0], row.values[2]});
   CHECK(seen.size() == 4);
   CHECK(test::value(search.optimum().best.design, "thickness") == 0.2 * 4e-3 / 4);
-  CHECK_THAT(search.text(), Contains("lining, wavelengths fixed"));
+  CHECK_THAT(search.text(), Contains("with lining and wavelengths held"));
 }
 
 TEST_CASE("static friction of a set stays above a kinetic one that is varied",

@@ -98,11 +98,12 @@ TEST_CASE("a metric that never changes, and one without a value, have no design 
   CHECK(json["metrics"]["stall_torque"]["lowest"].is_null());
 }
 
-TEST_CASE("a motor by itself has one column, and the metrics that curves are compared by",
+TEST_CASE("a motor by itself has one column, the metrics that curves are compared by first",
           "[studies][curve][words]") {
   CurveResult result;
   result.members.push_back(member(kNaN, 0.6));
-  CHECK(barred(answer_text(result)) == " | motor\nstall_torque | 600 mN.m\npeak_power | 3 W\n");
+  CHECK(barred(sections_text(result)) ==
+        "Metrics\nmetric | motor\nstall_torque | 600 mN.m\npeak_power | 3 W\npreload | 160 N\n");
   const Json json = answer_json(result);
   CHECK_FALSE(json.contains("family"));
   CHECK_FALSE(json["curves"][0].contains("missing"));
@@ -117,11 +118,13 @@ TEST_CASE("a family says which of its curves lack something", "[studies][curve][
   result.family = StoredColumn{"amplitude", "m"};
   result.members = {member(1e-6, 0.5), member(2e-6, kNaN, "lift-off")};
   result.members[1].failed = 7;
-  CHECK(barred(answer_text(result)) ==
-        "amplitude | 1 um | 2 um\n"
+  CHECK(barred(sections_text(result)) ==
+        "Metrics\n"
+        "amplitude 2 um: 7 of 51 points without an answer.\n"
+        "metric | amplitude 1 um | amplitude 2 um\n"
         "stall_torque | 500 mN.m | - (lift-off)\n"
         "peak_power | 3 W | 3 W\n"
-        "2 um: 7 of 51 points without an answer\n");
+        "preload | 160 N | 160 N\n");
   const Json json = answer_json(result);
   CHECK(json["family"] == Json{{"parameter", "amplitude"}, {"unit", "m"}});
   CHECK(json["curves"][1]["amplitude"] == 2e-6);
@@ -130,21 +133,8 @@ TEST_CASE("a family says which of its curves lack something", "[studies][curve][
   CHECK(json["curves"][1]["metrics"]["stall_torque"].is_null());
 }
 
-TEST_CASE("of a large family the first eight curves are shown", "[studies][curve][words]") {
-  CurveResult result;
-  result.family = StoredColumn{"preload", "N"};
-  for (int i = 1; i <= 9; ++i) result.members.push_back(member(100 * i, 0.1 * i));
-  const std::string text = answer_text(result);
-  CHECK_THAT(barred(text), StartsWith("preload | 100 N | 200 N | 300 N | 400 N | 500 N | 600 N | "
-                                      "700 N | 800 N\n"));
-  CHECK_THAT(text, EndsWith("\nand 1 more curve, see summary.json\n"));
-  result.members.push_back(member(1000, 1));
-  CHECK_THAT(answer_text(result), EndsWith("\nand 2 more curves, see summary.json\n"));
-  CHECK(answer_json(result)["curves"].size() == 10);
-}
-
 TEST_CASE("no curve yet is nothing said", "[studies][curve][words]") {
-  CHECK(answer_text(CurveResult{}).empty());
+  CHECK(sections_text(CurveResult{}).empty());
   CHECK(answer_json(CurveResult{})["curves"].empty());
   CHECK(answer_json(CurveResult{})["units"] == Json{{"last_speed", "rad/s"}});
 }

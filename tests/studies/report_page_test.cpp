@@ -106,9 +106,7 @@ TEST_CASE("no text of a study can end the data element of the page", "[studies][
   CHECK(data["parameters"]["amplitude"]["part"] == "stator");
   CHECK(data["parameters"]["wavelengths"]["integer"] == true);
   CHECK(data["metrics"]["stall_torque"]["unit"] == "N.m");
-  CHECK(data["ranges"].empty());
   CHECK(data["rows"]["count"] == 0);
-  CHECK_FALSE(data.contains("fit"));
   CHECK_FALSE(data.contains("row_curves"));
 }
 
@@ -120,13 +118,14 @@ TEST_CASE("a family has a curve for each member that is a motor", "[studies][rep
     family.members.back().value = newtons;
   }
   const Json data = page_data("{kind: curve, family: {preload: [100 N, 200 N]}}", family);
-  REQUIRE(labels(data) == Labels(2, "preload"));  // one is not a valid motor and is left out
+  REQUIRE(labels(data) ==
+          Labels{"preload 100 N", "preload 120 N"});  // one is not a valid motor and is left out
   CHECK(data["curves"][0]["design"]["preload"] == 100);
   CHECK(data["curves"][1]["design"]["preload"] == 120);
   CurveResult alone;
   alone.members.emplace_back();
   const Json motor = page_data("{kind: curve}", alone);
-  REQUIRE(labels(motor) == Labels{""});
+  REQUIRE(labels(motor) == Labels{"elastic-layer"});
   CHECK(motor["curves"][0]["design"]["preload"] == 160);  // no family: nothing is varied
 }
 
@@ -138,16 +137,16 @@ TEST_CASE("an optimum has its curve beside that of the start", "[studies][report
   found.before_design = {preload(160)};
   found.best.design = {preload(200)};
   const Json data = page_data(entries, found);
-  CHECK(labels(data) == Labels{"before", "best"});
+  CHECK(labels(data) == Labels{"before", "best design"});
   CHECK(data["curves"][1]["design"]["preload"] == 200);
-  CHECK(data["ranges"] == Json{{"preload", {{"min", 100.0}, {"max", 200.0}}}});
+  CHECK_THAT(data["sections"].dump(), Catch::Matchers::Contains("100 N to 200 N"));
   // No design was found: the start is all there is. A start that is no motor has no curve either.
   OptimizeResult none = found;
   none.found = false;
   CHECK(labels(page_data(entries, none)) == Labels{"before"});
   OptimizeResult no_start = found;
   no_start.before_design = {preload(-5)};
-  CHECK(labels(page_data(entries, no_start)) == Labels{"best"});
+  CHECK(labels(page_data(entries, no_start)) == Labels{"best design"});
 }
 
 TEST_CASE("a front has a curve for each point, in its place", "[studies][report]") {
@@ -164,8 +163,8 @@ TEST_CASE("a front has a curve for each point, in its place", "[studies][report]
   CHECK(data["curves"][0]["design"]["preload"] == 100);
   CHECK(data["curves"][1].is_null());  // no motor, but the place is kept
   CHECK(data["curves"][2]["design"]["preload"] == 200);
-  CHECK(data["curves"][2]["fields"].is_null());
-  CHECK(data["ranges"]["preload"]["max"] == 200);
+  CHECK_FALSE(data["curves"][2].contains("fields"));
+  CHECK(data["points"].size() == 3);
 }
 
 TEST_CASE("a fit has its curve and its band, where something was estimated", "[studies][report]") {
@@ -178,15 +177,15 @@ TEST_CASE("a fit has its curve and its band, where something was estimated", "[s
   fit.data.resize(2);
   fit.data[0].at = -1, fit.data[1].at = 3;
   const Json data = page_data(entries, fit);
-  CHECK(labels(data) == Labels{"fitted"});
+  CHECK(labels(data) == Labels{"fitted motor"});
   CHECK(data["curves"][0]["design"]["preload"] == 120);
   CHECK(data["curves"][0]["design"]["amplitude"] == 1.6e-6);
-  REQUIRE(data["fit"].size() == 1);
-  CHECK(data["fit"][0]["quantity"] == "torque_at");
-  CHECK(data["fit"][0]["over"] == Json{{"name", "speed"}, {"unit", "rad/s"}});
-  CHECK(data["fit"][0]["points"] == Json{0, 1});
+  const Json& chart = data["sections"][0]["charts"][0];
+  CHECK(chart["name"] == "fit");
+  CHECK(chart["x"]["unit"] == "rad/s");
+  CHECK(chart["series"][1]["x"] == Json{-1.0, 3.0});  // the points
   fit.estimates.clear(), fit.correlation.clear();
-  CHECK(page_data(entries, fit)["fit"].empty());
+  CHECK(page_data(entries, fit)["sections"][0]["charts"].empty());
 }
 
 TEST_CASE("studies that look at many motors show the curve of their own", "[studies][report]") {
@@ -200,7 +199,6 @@ TEST_CASE("studies that look at many motors show the curve of their own", "[stud
         UncertaintyResult{}}}));
   CAPTURE(entries);
   const Json data = page_data(entries, answer);
-  REQUIRE(labels(data) == Labels{"motor"});
+  REQUIRE(labels(data) == Labels{"elastic-layer"});
   CHECK(data["curves"][0]["design"]["preload"] == 160);
-  CHECK(data["ranges"].empty());
 }

@@ -46,11 +46,11 @@ TEST_CASE("columns are encoded as RFC 4648 does", "[studies][report]") {
 TEST_CASE("the curve of a report begins at the torque of the plateau (C8.5)", "[studies][report]") {
   const ElasticLayer exact{elastic_motor()};
   const Json curve =
-      curve_json(exact.motor, {{"preload", 120}, {"unknown", 1}}, "x", Detail::curve);
+      curve_json(exact.motor, {{"preload", 120}, {"unknown", 1}}, "x", Detail::torque);
   CHECK(curve["label"] == "x");
   CHECK(curve["design"]["preload"] == 120);
   CHECK(curve["design"]["amplitude"] == 1.6e-6);  // that of the base
-  CHECK(curve["fields"].is_null());
+  CHECK_FALSE(curve.contains("fields"));
   const auto torque = numbers<double>(curve["torque"]);
   const auto speed = numbers<double>(curve["speed"]);
   REQUIRE(torque.size() == speed.size());

@@ -116,55 +116,24 @@ TEST_CASE("along a front a limit improves each goal, in the direction that is wa
   CHECK(standings_json(report, {most_power(), least_wear()})[0]["changes"][1].is_null());
 }
 
-TEST_CASE("a front has the standings of its points, and of its ends for their own goals",
+TEST_CASE("names are told as one reads them, metrics at a point with their place",
           "[studies][report]") {
-  ParetoResult front;
-  front.goals = {most_power(), least_wear()};
-  front.front.resize(3);
-  front.front[1].report = report_of({torque_limit(0.5, 0.8)}, 0);
-  front.single_goal_ends.resize(2);
-  const Json json = standings_json(Answer(front));
-  CHECK(json["front"].size() == 3);
-  CHECK(json["front"][1][0]["changes"].size() == 2);
-  CHECK(json["single_goal_ends"].size() == 2);
-  CHECK(standings_json(Answer(CurveResult{})).is_null());
-}
-
-TEST_CASE("the names in a summary are told with argument, statistic and limit",
-          "[studies][report]") {
-  const Json summary = Json::parse(R"json({
-      "objective": {"metric": "quantile(torque_at(80 rpm), 5 %)"},
-      "units": {"stall_torque": "N.m", "thickness / contact_half_length": "1",
-                "efficiency_at(0.5 N.m)": "1"},
-      "best": {"constraints": [{"text": "145 rpm <= no_load_speed <= 155 rpm"},
-                               {"text": "thickness <= 0.2 * contact_half_length"},
-                               {"text": "max_torque >= 0.5 N.m for efficiency_at(0.5 N.m)"}]},
-      "relaxation": {"conflict": ["probability(no_load_speed >= 100 rpm) >= 95 %"]}})json");
-  const Json columns = Json::parse(R"json([{"name": "speed_at(1 N.m)"}, {"name": "lining"}])json");
-  const Json names = names_json(summary, columns);
+  const Json columns = Json::parse(
+      R"json([{"name": "speed_at(1 N.m)"}, {"name": "lining"}, {"name": "quantile(stall_torque, 5 %)"}])json");
+  const Json limits = Json::parse(R"json([{"metric": "torque_at(80 rpm)"}])json");
+  const Json names = names_json(columns, limits);
   const Json& torque = names["torque_at(80 rpm)"];
+  CHECK(torque["text"] == "torque at 80 rpm");
   CHECK(torque["metric"] == "torque_at");
   CHECK(torque["argument"] == "speed");
   CHECK_THAT(torque["at"].get<double>(), WithinRel(80 * kRpm, 1e-15));
   CHECK(names["speed_at(1 N.m)"]["argument"] == "torque");
-  CHECK(names["efficiency_at(0.5 N.m)"]["at"] == 0.5);
-  CHECK(names["quantile(torque_at(80 rpm), 5 %)"] ==
-        Json{{"statistic", "quantile"}, {"of", "torque_at(80 rpm)"}, {"probability", 0.05}});
-  const Json& window = names["145 rpm <= no_load_speed <= 155 rpm"];
-  CHECK(window["of"] == "no_load_speed");
-  CHECK(window["unit"] == "rad/s");
-  CHECK_THAT(window["lower"].get<double>(), WithinRel(145 * kRpm, 1e-15));
-  CHECK_THAT(window["upper"].get<double>(), WithinRel(155 * kRpm, 1e-15));
-  CHECK(names["thickness <= 0.2 * contact_half_length"]["sides"] ==
-        Json::array({"thickness", "0.2 * contact_half_length"}));
-  const Json& sure = names["probability(no_load_speed >= 100 rpm) >= 95 %"];
-  CHECK(sure["of"] == "probability(no_load_speed >= 100 rpm)");
-  CHECK(sure["lower"] == 0.95);
-  CHECK(names[sure["of"].get<std::string>()]["of"] == "no_load_speed >= 100 rpm");
-  // What has no parts, or is none of the study's, has no entry.
-  for (const char* plain : {"stall_torque", "thickness / contact_half_length", "lining",
-                            "max_torque >= 0.5 N.m for efficiency_at(0.5 N.m)"})
-    CHECK_FALSE(names.contains(plain));
+  CHECK(names["quantile(stall_torque, 5 %)"]["text"] == "5 % quantile of the stall torque");
+  CHECK(names["lining"] == Json{{"text", "lining"}});
+  CHECK(names["thickness"] == Json{{"text", "contact layer thickness"}});
+  CHECK(names["max_efficiency"]["text"] == "max efficiency (stator loss counted)");
+  // Of a front each point has limits of its own.
+  CHECK(names_json(columns, Json::array({limits, limits})) == names);
 }
 
 TEST_CASE("each reason of a missing answer is told once", "[studies][report]") {

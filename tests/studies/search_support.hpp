@@ -64,9 +64,7 @@ struct Search {
     return answer_json(optimum());
   }
   std::string text() const {
-    return headline_text(answer.answer, answer.outcome) +
-           std::visit([](const auto& one) { return answer_text(one); }, answer.answer) +
-           sections_text(answer.answer);
+    return headline_text(answer.answer, answer.outcome) + sections_text(answer.answer);
   }
   std::vector<StoredRow> rows() const {
     std::vector<StoredRow> rows;

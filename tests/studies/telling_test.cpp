@@ -108,6 +108,9 @@ TEST_CASE("numbers have the digits they are told with", "[studies][telling]") {
   CHECK(read(change(value_part(0.02, "W", 3))) == "+20 mW");
   CHECK(read(change(value_part(-0.02, "W", 3))) == "-20 mW");
   CHECK(read(change(value_part(0, "W", 3))) == "nothing");
+  // What is very small has its power of ten as a book, or a keyboard, writes it.
+  CHECK(read(value_part(1.23e-10, "1", 2)) == "1.2 · 10⁻¹⁰");
+  CHECK(typed(value_part(1.23e-10, "1", 2)) == "1.2e-10");
   // Of a share near one, what is missing has two digits.
   CHECK(read(share_part(0.999985)) == "99.9985 %");
   CHECK(read(share_part(0.5, 2)) == "50 %");
@@ -172,7 +175,8 @@ TEST_CASE("the numbers of a chart are those of summary.json that it names", "[st
             CHECK(at_path(summary, numbers->where).get<std::vector<double>>() == numbers->values);
             ++named;
           }
-  CHECK(named == 4);  // motors and nominal of a density, yield and goal of the price
+  CHECK(named ==
+        5);  // those without tolerances of a density; yield and goal of the price, as line and dots
 }
 
 TEST_CASE("Markdown has what the terminal has, and no markup of the names", "[studies][telling]") {
@@ -192,6 +196,27 @@ TEST_CASE("Markdown has what the terminal has, and no markup of the names", "[st
             std::count(line.begin(), line.end(), '|'));
     before = line;
   }
+}
+
+TEST_CASE("a terminal shows the columns that are typed, and counts the rows that it leaves out",
+          "[studies][telling]") {
+  Section section{{"A section"}};
+  Table table{"table", {{"name"}, {"first"}, {"second"}}, {}};
+  table.typed = 2;
+  for (int i = 1; i <= 22; ++i)
+    table.rows.push_back({{std::to_string(i)}, {value_part(i, "N")}, {"told above"}});
+  section.tables = {table};
+  const std::string text = terminal_text({section});
+  CHECK_THAT(
+      text, Contains("\n20    20 N\nand 2 more rows, see the report\n") && !Contains("told above"));
+  CHECK_THAT(markdown({section}), Contains("\n| 22 | 22 N | told above |\n"));
+}
+
+TEST_CASE("a section that is nothing but a part of the page is not written", "[studies][telling]") {
+  Section hook;
+  hook.hook = "motor";
+  CHECK(terminal_text({hook}).empty());
+  CHECK(markdown(std::vector<Section>{hook}).empty());
 }
 
 TEST_CASE("in Markdown neighbouring parts that stand out share one pair of marks",

@@ -26,6 +26,8 @@ struct SpeedSamples {
   double next{0.7};
   /// Down to a crest of 1e-6 of the first, where the motor is as good as at rest.
   int most{39};
+  /// Share of the largest torque beyond which no wave is sought: its amplitude would grow without bound.
+  double transmitted{0.99};
   /// Bits of the speed. The voltage is least there, so that it is right to twice as many.
   int bits{20};
 };
@@ -37,9 +39,11 @@ HeldPoint without_wave(HeldStatus status) {
 
 }  // namespace
 
+namespace {
+
 // From high speeds down, the voltage falls to that at which the running wave ends, rises towards the waves between running and dead
 // ones, and falls again with those that are dead: the first minimum is the one.
-LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque) {
+LeastVoltage first_minimum(const MotorDesign& design, double torque) {
   const DrivenWaves waves(design, track_rule(without_drive(design)));
   const auto wave_at = [&](double speed) {
     return held_point(design, torque, speed, DriveControl::voltage);
@@ -61,6 +65,36 @@ LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque) {
     faster = speed, speed = slower;
   }
   return {wave_at(speed), speed};
+}
+
+// Vertices of parabolas through three speeds, the second time closer: the voltage there is right to the fourth power of what the
+// first one missed. Nothing if the minimum is not nearby.
+std::optional<LeastVoltage> minimum_near(const MotorDesign& design, double torque, double near) {
+  const auto voltage = [&](double speed) {
+    return held_point(design, torque, speed, DriveControl::voltage).voltage;
+  };
+  double place = near;
+  for (const double step : {0.1, 0.01}) {
+    const double h = step * place, left = voltage(place - h), middle = voltage(place),
+                 right = voltage(place + h);
+    const double moved = 0.5 * h * (left - right) / (left - 2 * middle + right);
+    if (!(left - 2 * middle + right > 0) || !(std::fabs(moved) <= 2 * h)) return {};
+    place += moved;
+  }
+  return LeastVoltage{held_point(design, torque, place, DriveControl::voltage), place};
+}
+
+}  // namespace
+
+// A track of slices has its minimum next to that of one slice, which costs little.
+LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque) {
+  if (std::fabs(torque) > kSamples.transmitted * largest_held_torque(design))
+    return {without_wave(HeldStatus::torque_out_of_reach), kNoValue};
+  if (design.stator.radial_slices == 1) return first_minimum(design, torque);
+  const LeastVoltage one = first_minimum(with(design, Parameter::radial_slices, 1), torque);
+  if (one.wave.voltage > 0)
+    if (const auto found = minimum_near(design, torque, one.speed)) return *found;
+  return first_minimum(design, torque);
 }
 
 LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed) {

@@ -251,26 +251,53 @@ LeastVoltage HeldMetrics::least_voltage(const MetricRequest& request) {
              : least_voltage_at_speed(design_, request.at);
 }
 
+// The wave of a drive of the file's frequency that carries a torque at a speed, and the derivatives of its voltage.
+HeldMetrics::VoltageAt HeldMetrics::voltage_at(double torque, double speed, bool fixed) {
+  const double nearest = envelope().with_wave(torque);
+  const HeldPoint wave = held_point(design_, nearest, speed, DriveControl::voltage);
+  WaveRows rows = wave_rows(Motor(with_held_wave(design_, wave)), speed, true, fixed);
+  if (nearest != torque)
+    rows.torque =
+        less(rows.torque, of_largest_torque(fixed).gradient, nearest / envelope().largest_torque());
+  return {wave.voltage, keeping(rows.torque).along_wave(rows.voltage), smoothness_of(rows)};
+}
+
+// Secants for du / dOmega = 0 from a place that comparing values knows to the root of their rounding.
+HeldMetrics::VoltageAt HeldMetrics::least_voltage_at(double torque, double near, bool fixed) {
+  constexpr double kFirstStep = 1e-5, kFarthest = 1e-3, kSettled = 1e-9;
+  constexpr int kMostSteps = 6;
+  double speed = near, step = kFirstStep * near;
+  VoltageAt here = voltage_at(torque, speed, fixed);
+  for (int i = 0; i < kMostSteps && std::fabs(step) > kSettled * near; ++i) {
+    const VoltageAt next = voltage_at(torque, speed + step, fixed);
+    const double bend = (next.slopes.in_speed - here.slopes.in_speed) / step;
+    speed += step, here = next;
+    step = -here.slopes.in_speed / bend;
+    if (!(std::fabs(speed + step - near) <= kFarthest * near))  // at an end, or at a kink
+      return voltage_at(torque, near, fixed);
+  }
+  return here;
+}
+
 // At its minimum the voltage does not change with the speed, or with the amplitude: what is left are the derivatives of the wave
 // that keeps torque and speed, or amplitude and speed, at the frequency of the drive.
 MetricDerivative HeldMetrics::of_voltage_reserve(const MetricRequest& request,
                                                  const MetricValue& value, bool fixed) {
   const LeastVoltage least = least_voltage(request);
-  const Motor motor(with_held_wave(design_, least.wave));
-  WaveRows rows = wave_rows(motor, least.speed, true, fixed);
-  if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
-  Row needs = rows.voltage;
+  VoltageAt at;
   if (request.argument == Argument::torque) {
-    if (const double nearest = envelope().with_wave(request.at); nearest != request.at)
-      rows.torque = less(rows.torque, of_largest_torque(fixed).gradient,
-                         nearest / envelope().largest_torque());
-    needs = keeping(rows.torque).along_wave(rows.voltage);
+    at = least_voltage_at(request.at, least.speed, fixed);
+  } else {
+    const Motor motor(with_held_wave(design_, least.wave));
+    const WaveRows rows = wave_rows(motor, least.speed, true, fixed);
+    at = {least.wave.voltage, rows.voltage, smoothness_of(rows)};
   }
-  needs[Parameter::amplitude] = 0;
-  MetricDerivative result{value, {}, smoothness_of(rows)};
-  const double per_need = -(value.value + 1) / least.wave.voltage;
-  for (std::size_t p = 0; p < kParameterCount; ++p) result.gradient[p] = per_need * needs.in[p];
-  result.gradient[index_of(Parameter::voltage)] += 1 / least.wave.voltage;
+  if (at.smoothness == Smoothness::undefined) return without_derivative(value);
+  at.slopes[Parameter::amplitude] = 0;
+  MetricDerivative result{value, {}, at.smoothness};
+  for (std::size_t p = 0; p < kParameterCount; ++p)
+    result.gradient[p] = -(value.value + 1) / at.voltage * at.slopes.in[p];
+  result.gradient[index_of(Parameter::voltage)] += 1 / at.voltage;
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "held/envelope.hpp"
 #include "held/least_voltage.hpp"
+#include "metrics/wave_rows.hpp"
 
 #include <twum/core/metrics.hpp>
 
@@ -44,7 +45,14 @@ class HeldMetrics {
   MetricDerivative of_envelope(const MetricRequest& request, const MetricValue& value, bool fixed);
   MetricDerivative of_drive_reserve(const MetricRequest& request, const MetricValue& value,
                                     bool fixed);
+  struct VoltageAt {
+    double voltage{0};
+    Row slopes{};
+    Smoothness smoothness{Smoothness::smooth};
+  };
   LeastVoltage least_voltage(const MetricRequest& request);
+  VoltageAt voltage_at(double torque, double speed, bool fixed);
+  VoltageAt least_voltage_at(double torque, double near, bool fixed);
   MetricDerivative of_voltage_reserve(const MetricRequest& request, const MetricValue& value,
                                       bool fixed);
   MetricDerivative of_largest_torque(bool fixed);

@@ -135,8 +135,7 @@ function takeCircuit(motor, entries, tables, core) {
   const data = core.modalData(circuit);
   for (const name of [...Object.keys(data), 'modal_damping']) {
     if (motor.values[name] !== undefined)
-      throw new MotorFileError(
-          'stator.' + name + ': follows from equivalent_circuit; give the circuit or the modal data, not both');
+      throw new MotorFileError('stator.' + name + ': follows from equivalent_circuit; leave one of the two out');
   }
   Object.assign(motor.values, data);
 }

@@ -71,7 +71,7 @@ function sectionParts(motor) {
 
 export class SectionView {
   constructor(node) {
-    this.picture = svg('svg', {class: 'section', role: 'img', 'aria-label': 'Cross-section of the motor to scale'});
+    this.picture = svg('svg', {class: 'section', role: 'img', 'aria-label': 'Cross-section'});
     this.legend = el('div', {class: 'legend'});
     node.append(this.picture, this.legend);
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "datasheet/parts.hpp"
 
-#include <twum/io/engineering.hpp>
-#include <twum/io/number.hpp>
-
 #include <array>
 #include <cstdio>
 
@@ -41,14 +38,14 @@ std::string element(std::string_view name,
 std::string list(const std::vector<Line>& lines) {
   std::string text;
   for (const auto& [name, value] : lines)
-    text += "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+    text += "<div><dt>" + escaped(written(name, telling::Writing::read)) + "</dt><dd>" +
+            escaped(written(value, telling::Writing::read)) + "</dd></div>\n";
   return text.empty() ? "" : "<dl>\n" + text + "</dl>\n";
 }
 
-std::string shown(double value, std::string_view unit, std::string_view name) {
-  if (unit == "1" && name.find("efficiency") != std::string_view::npos)
-    return rounded_text(100 * value, 4) + " %";
-  return printed_engineering(value, unit);
+telling::Part shown(double value, std::string_view unit, std::string_view name) {
+  const bool share = unit == "1" && name.find("efficiency") != std::string_view::npos;
+  return share ? telling::share_part(value) : telling::value_part(value, std::string(unit));
 }
 
 }  // namespace twum::studies::datasheet

@@ -29,8 +29,9 @@ std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
     const MetricInfo& row = info(metrics[i].request()->metric);
     if (row.needs_modes != with_modes || values[i].status == MetricStatus::undefined) continue;
     const bool ok = values[i].status == MetricStatus::ok;
-    lines.emplace_back(plain_name(metrics[i].text), ok ? shown(values[i].value, row.unit, row.name)
-                                                       : meaning_of(values[i].status));
+    lines.push_back({{plain_name(metrics[i].text)},
+                     {ok ? shown(values[i].value, row.unit, row.name)
+                         : telling::Part(meaning_of(values[i].status))}});
   }
   return lines;
 }
@@ -54,7 +55,7 @@ std::vector<Line> performance(const Motor& motor) { return numbers_of(motor, fal
 std::vector<Line> electrical(const Motor& motor) { return numbers_of(motor, true); }
 
 std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated) {
-  if (rated.status != PointStatus::ok) return {{"no answer", to_string(rated.status)}};
+  if (rated.status != PointStatus::ok) return {{{"no answer"}, {to_string(rated.status)}}};
   const EfficiencyKind efficiency = efficiency_kind(design);
   std::vector<Line> lines;
   for (const CurveColumn& column : curve_columns(design)) {
@@ -62,9 +63,9 @@ std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& r
     const double value = column.value(rated);
     if (name == "contact_efficiency" || name == "overall_efficiency" || !std::isfinite(value))
       continue;
-    lines.emplace_back(plain_name(column.name), shown(value, column.unit, name));
+    lines.push_back({{plain_name(column.name)}, {shown(value, column.unit, name)}});
     if (name == "output_power" && std::isfinite(efficiency.value(rated)))
-      lines.emplace_back(efficiency.name, shown(efficiency.value(rated), "1", "efficiency"));
+      lines.push_back({{efficiency.name}, {shown(efficiency.value(rated), "1", "efficiency")}});
   }
   return lines;
 }
@@ -76,8 +77,9 @@ std::vector<Line> parameters(const MotorDesign& design) {
     const double value = get(design, row.parameter);
     const bool slices = row.parameter == Parameter::radial_slices;
     const std::string symbol = row.symbol.empty() ? "" : " " + std::string(row.symbol);
-    lines.emplace_back(plain_name(std::string(row.name)) + symbol,
-                       slices ? slices_text(static_cast<int>(value)) : shown(value, row.unit));
+    lines.push_back(
+        {{plain_name(std::string(row.name)) + symbol},
+         {slices ? telling::Part(slices_text(static_cast<int>(value))) : shown(value, row.unit)}});
   }
   return lines;
 }

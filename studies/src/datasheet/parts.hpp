@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/motor.hpp>
+#include <twum/studies/telling.hpp>
 
 #include <initializer_list>
 #include <optional>
@@ -24,14 +25,14 @@ std::string element(std::string_view name,
                     std::initializer_list<std::pair<std::string_view, std::string>> attributes,
                     std::string_view content = "");
 
-/// A name with its value, both as they are shown.
-using Line = std::pair<std::string, std::string>;
+/// A name with its value.
+using Line = std::pair<telling::Phrase, telling::Phrase>;
 
 /// A list of names and values; empty without lines.
 std::string list(const std::vector<Line>& lines);
 
-/// A value in engineering units; efficiencies in per cent.
-std::string shown(double value, std::string_view unit, std::string_view name = {});
+/// A value; efficiencies in per cent.
+telling::Part shown(double value, std::string_view unit, std::string_view name = {});
 
 /// The most complete efficiency that a motor has: overall with modal data, of contact and stator if only the damping
 /// is given, else of the contact.

@@ -251,14 +251,9 @@ CombinationResponses::Numbers CombinationResponses::values_of(
 
 namespace {
 
-// With one wave at every voltage there is no least one, and where the torque is beyond friction another limit says so.
-void keep_where_none_is_known(std::vector<MetricDerivative>& reserves) {
-  for (MetricDerivative& one : reserves)
-    if (one.value.status != MetricStatus::ok) {
-      one = {};
-      one.value.value = 1;
-    }
-}
+// Stands for the reserve of a motor that runs, and where there is no least voltage or another limit is broken: to know it exactly
+// would cost ten times as much as the metrics.
+constexpr double kSomeReserve = 1;
 
 // A response at the voltage that is missing, which follows the design.
 void follow_voltage(MetricDerivative& response, const MetricDerivative& voltage) {
@@ -287,18 +282,34 @@ std::optional<MetricDerivative> CombinationResponses::missing_voltage(
   return voltage;
 }
 
+namespace {
+
+bool lacks_values(const std::vector<MetricDerivative>& numbers) {
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](const auto& one) { return one.value.status != MetricStatus::ok; });
+}
+
+}  // namespace
+
 // Where the voltage does not run the motor, its metrics are those at the least voltage that does (Y5.4): continuous where it just
-// runs, so that a search outside gets numbers; the reserves tell how far it has to go.
+// runs, so that a search outside gets numbers; the reserves tell how far it has to go. Without derivatives, as for the samples of a
+// whole range, such a motor has no answer: it would cost ten times as much as the metrics.
 CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
                                                             bool gradient) const {
-  Numbers reserves = values_of(motor, reserves_, gradient);
-  keep_where_none_is_known(reserves);
-  const auto missing = missing_voltage(motor, reserves);
-  Numbers numbers =
-      values_of(missing ? with(motor, Parameter::voltage, missing->value.value) : motor, evaluator_,
-                gradient);
-  if (missing && gradient)
-    for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
+  Numbers numbers = values_of(motor, evaluator_, gradient);
+  Numbers reserves(responses_.size() - metrics_);
+  for (MetricDerivative& one : reserves) one.value.value = kSomeReserve;
+  if (gradient && !reserves.empty() && lacks_values(numbers)) {
+    Numbers found = values_of(motor, reserves_, gradient);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k].value.status == MetricStatus::ok) reserves[k] = found[k];
+    if (const auto missing = missing_voltage(motor, reserves)) {
+      numbers =
+          values_of(with(motor, Parameter::voltage, missing->value.value), evaluator_, gradient);
+      if (gradient)
+        for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
+    }
+  }
   numbers.insert(numbers.end(), reserves.begin(), reserves.end());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MetricStatus status = numbers[i].value.status;

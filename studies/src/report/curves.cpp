@@ -142,13 +142,18 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
     for (const OperatingPoint& point : points) numbers.push_back(value(point));
     json[name] = base64(numbers);
   };
+  json["squeals"] = squeals_json(*motor);
+  if (detail == Detail::torque) {
+    add("speed", [](const OperatingPoint& p) { return p.speed; });
+    add("torque", [](const OperatingPoint& p) { return p.torque; });
+    return json;
+  }
   for (const CurveColumn& one : curve_columns(motor->design())) add(one.name, one.value);
   add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
   add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
-  json["squeals"] = squeals_json(*motor);
   json["one_slice_torque"] = one_slice_torque_json(*motor, speeds);
-  json["fields"] = detail == Detail::fields ? fields_json(*motor) : Json(nullptr);
-  json["track"] = detail == Detail::fields ? track_json(*motor) : Json(nullptr);
+  json["fields"] = fields_json(*motor);
+  json["track"] = track_json(*motor);
   return json;
 }
 

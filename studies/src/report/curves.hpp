@@ -19,8 +19,8 @@ using DesignValues = std::map<std::string, double>;
 DesignValues design_values(const std::vector<NamedValue>& values);
 
 enum class Detail : unsigned char {
-  curve,   ///< the curve alone
-  fields,  ///< and the fields in the contact along it
+  torque,  ///< the torque alone
+  fields,  ///< every quantity, and the fields in the contact
 };
 
 /// {"label", "design", "metrics", "speed": base64, ..., "one_slice_torque", "fields", "track"} of one motor; null if

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/names.hpp"
 
+#include <twum/core/metrics.hpp>
+#include <twum/core/parameters.hpp>
 #include <twum/io/value_error.hpp>
+#include <twum/motors/expression.hpp>
 #include <twum/motors/reasons.hpp>
-#include <twum/motors/statistic.hpp>
+#include <twum/studies/telling.hpp>
 
 #include <algorithm>
 #include <string>
@@ -13,108 +16,21 @@
 namespace twum::studies {
 namespace {
 
-const char* statistic_word(StatisticRequest::Kind kind) {
-  switch (kind) {
-    case StatisticRequest::Kind::mean: return "mean";
-    case StatisticRequest::Kind::sd: return "sd";
-    case StatisticRequest::Kind::quantile: return "quantile";
-    case StatisticRequest::Kind::probability: return "probability";
-    case StatisticRequest::Kind::yield: return "yield";
+// What a metric at a point measures, and where: {"metric", "argument", "at"}.
+void add_request(Json& json, const std::string& name) {
+  try {
+    const MetricExpression expression = parse_metric(name);
+    const MetricRequest* request = expression.request();
+    if (request == nullptr || request->argument == Argument::none) return;
+    json["metric"] = info(request->metric).name;
+    json["argument"] = request->argument == Argument::both    ? "both"
+                       : request->argument == Argument::speed ? "speed"
+                                                              : "torque";
+    json["at"] = request->at;
+  } catch (const ValueError&) {
+    return;  // such as a parameter, or a column of words
   }
-  return "yield";
 }
-
-Json statistic_name(const StatisticRequest& statistic) {
-  Json json{{"statistic", statistic_word(statistic.kind)}};
-  if (!statistic.metric.text.empty()) json["of"] = statistic.metric.text;
-  if (statistic.limit) json["of"] = statistic.limit->text;
-  if (statistic.kind == StatisticRequest::Kind::quantile)
-    json["probability"] = statistic.probability;
-  return json;
-}
-
-Json metric_name(const MetricExpression& expression) {
-  const MetricRequest* request = expression.request();
-  if (request == nullptr || request->argument == Argument::none) return nullptr;
-  if (request->argument == Argument::both)
-    return {{"metric", info(request->metric).name},
-            {"argument", "both"},
-            {"at", request->at},
-            {"torque", request->torque}};
-  return {{"metric", info(request->metric).name},
-          {"argument", request->argument == Argument::speed ? "speed" : "torque"},
-          {"at", request->at}};
-}
-
-Json limit_name(const MotorLimit& limit) {
-  Json json{{"of", limit.metric.text}, {"unit", limit.metric.unit()}};
-  json["lower"] = number_json(limit.lower);
-  json["upper"] = number_json(limit.upper);
-  if (limit.sides.empty()) return json;
-  json["sides"] = Json::array();
-  for (const MetricExpression& side : limit.sides) json["sides"].push_back(side.text);
-  return json;
-}
-
-bool is_limit(std::string_view text) { return text.find_first_of("<>=") != std::string_view::npos; }
-
-// Collects the names, those within names too.
-class Names {
- public:
-  // Every text below an entry that holds names.
-  void look(const Json& json) {
-    for (const auto& [key, value] : json.items()) {
-      if (value.is_string() && (key == "text" || key == "metric")) add(value);
-      if (key == "conflict")
-        for (const Json& text : value) add(text);
-      if (key == "metrics" || key == "statistics" || key == "units" || key == "indices")
-        for (const auto& [name, unused] : value.items()) add(name);
-      if (value.is_structured()) look(value);
-    }
-  }
-
-  void add(const std::string& text) {
-    if (names_.contains(text)) return;
-    try {
-      add_read(text);
-    } catch (const ValueError&) {
-      return;  // such as a column of words, which is shown unchanged
-    }
-  }
-
-  Json take() { return std::move(names_); }
-
- private:
-  void add_read(const std::string& text) {
-    if (is_statistic(text) && !is_outer_limit(text)) {
-      const StatisticRequest statistic = parse_statistic(text);
-      names_[text] = statistic_name(statistic);
-      if (names_[text].contains("of")) add(names_[text]["of"].get<std::string>());
-    } else if (is_statistic(text)) {
-      const StatisticLimit limit = parse_statistic_limit(text);
-      names_[text] = {{"of", limit.statistic.text},
-                      {"unit", limit.statistic.unit()},
-                      {"lower", number_json(limit.lower)},
-                      {"upper", number_json(limit.upper)}};
-      add(limit.statistic.text);
-    } else if (is_limit(text)) {
-      const MotorLimit limit = parse_limit(text);
-      names_[text] = limit_name(limit);
-      add(limit.metric.text);
-      for (const MetricExpression& side : limit.sides) add(side.text);
-    } else if (Json name = metric_name(parse_metric(text)); !name.is_null()) {
-      names_[text] = std::move(name);
-    }
-  }
-
-  // "probability(no_load_speed >= 100 rpm)" has its limit inside.
-  static bool is_outer_limit(const std::string& text) {
-    const std::size_t end = text.rfind(')');
-    return is_limit(end == std::string::npos ? text : text.substr(end));
-  }
-
-  Json names_ = Json::object();
-};
 
 const Reason* find_reason(std::string_view word) {
   const auto found = std::ranges::find_if(
@@ -140,11 +56,21 @@ std::string meaning_of(std::string_view reason) {
 
 }  // namespace
 
-Json names_json(const Json& summary, const Json& columns) {
-  Names names;
-  names.look(summary);
-  for (const Json& column : columns) names.add(column["name"]);
-  return names.take();
+Json names_json(const Json& columns, const Json& limits) {
+  using namespace telling;
+  Json names = Json::object();
+  const auto add = [&](const std::string& name) {
+    Json& json = names[name];
+    json["text"] = written(name_part(name), Writing::page);
+    add_request(json, name);
+  };
+  for (const ParameterInfo& row : parameter_table()) add(std::string(row.name));
+  for (const MetricInfo& row : metric_table()) add(std::string(row.name));
+  for (const Json& column : columns) add(column["name"]);
+  for (const Json& list :
+       limits.is_null() || limits.empty() || limits[0].is_array() ? limits : Json::array({limits}))
+    for (const Json& limit : list) add(limit["metric"]);
+  return names;
 }
 
 Json failures_json(const Json& summary) {

@@ -10,15 +10,12 @@
 #include "report/rows.hpp"
 #include "report/tables.hpp"
 #include "results/answers.hpp"
-#include "results/search_words.hpp"
-#include "results/standings.hpp"
 #include "stored/stored_study.hpp"
 #include "telling/renderers.hpp"
+#include "telling/tellings.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/parameters.hpp>
-#include <twum/optim/solvers.hpp>
-#include <twum/studies/fit_curves.hpp>
 
 #include <algorithm>
 
@@ -32,14 +29,22 @@ void add(Json& curves, Json curve) {
 // The curves that the page of an answer shows.
 struct AnswerCurves {
   const MotorDesign& base;
+  std::string name;  // of the motor
+
+  std::string member_name(const CurveResult& answer, const CurveResult::Member& member) const {
+    using namespace telling;
+    return answer.family ? written({name_part(answer.family->name), " ",
+                                    value_part(member.value, answer.family->unit)},
+                                   Writing::read)
+                         : name;
+  }
 
   Json operator()(const CurveResult& answer) const {
     Json curves = Json::array();
     for (const CurveResult::Member& member : answer.members) {
-      const std::string name = answer.family ? answer.family->name : "";
       const DesignValues values =
-          answer.family ? DesignValues{{name, member.value}} : DesignValues{};
-      add(curves, curve_json(base, values, name, Detail::fields));
+          answer.family ? DesignValues{{answer.family->name, member.value}} : DesignValues{};
+      add(curves, curve_json(base, values, member_name(answer, member), Detail::fields));
     }
     return curves;
   }
@@ -48,7 +53,7 @@ struct AnswerCurves {
     Json curves = Json::array();
     for (const ParetoResult::Point& point : answer.front)
       curves.push_back(
-          curve_json(base, design_values(point.report.design), "front", Detail::curve));
+          curve_json(base, design_values(point.report.design), "torque", Detail::torque));
     return curves;
   }
 
@@ -56,7 +61,8 @@ struct AnswerCurves {
     Json curves = Json::array();
     add(curves, curve_json(base, design_values(answer.before_design), "before", Detail::fields));
     if (answer.found)
-      add(curves, curve_json(base, design_values(answer.best.design), "best", Detail::fields));
+      add(curves,
+          curve_json(base, design_values(answer.best.design), "best design", Detail::fields));
     return curves;
   }
 
@@ -64,7 +70,7 @@ struct AnswerCurves {
     Json curves = Json::array();
     for (const std::string& file : answer.files())
       add(curves, curve_json(base, design_values(answer.motor_values(file)),
-                             file.empty() ? "fitted" : file, Detail::fields));
+                             file.empty() ? "fitted motor" : file, Detail::fields));
     return curves;
   }
 
@@ -72,46 +78,16 @@ struct AnswerCurves {
   template <typename Other>
   Json operator()(const Other& /*answer*/) const {
     Json curves = Json::array();
-    add(curves, curve_json(base, {}, "motor", Detail::fields));
+    add(curves, curve_json(base, {}, name, Detail::fields));
     return curves;
   }
 };
-
-Json fit_json(const StudyFile& study, const CalibrateResult& answer) {
-  Json json = Json::array();
-  for (const FitCurve& curve : fit_curves(study, answer))
-    json.push_back({{"quantity", curve.quantity},
-                    {"unit", curve.unit},
-                    {"over", {{"name", curve.over.name}, {"unit", curve.over.unit}}},
-                    {"set", values_json(curve.set)},
-                    {"file", curve.file},
-                    {"at", base64(curve.at)},
-                    {"value", base64(curve.value)},
-                    {"half", base64(curve.half)},
-                    {"points", curve.points}});
-  return json;
-}
 
 Json base_json(const MotorDesign& base) {
   Json json = Json::object();
   for (const ParameterInfo& row : parameter_table()) {
     if (is_given(base, row.parameter)) json[std::string(row.name)] = get(base, row.parameter);
   }
-  return json;
-}
-
-// The ranges of a search's variables, SI.
-Json ranges_json(const StudyFile& study) {
-  Json json = Json::object();
-  std::visit(
-      [&]<typename S>(const S& asked) {
-        if constexpr (requires { asked.solver; }) {
-          for (const DesignVariable& range : asked.variables)
-            json[std::string(info(range.parameter).name)] = {{"min", range.min},
-                                                             {"max", range.max}};
-        }
-      },
-      study.asked);
   return json;
 }
 
@@ -127,13 +103,6 @@ Json files_json(const StudyFile& study, const StudyResult& result) {
   return json;
 }
 
-Json global_solvers_json() {
-  Json json = Json::array();
-  for (const optim::SolverInfo& solver : optim::solvers())
-    if (solver.global) json.push_back(solver.name);
-  return json;
-}
-
 }  // namespace
 
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
@@ -141,28 +110,29 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   const MotorDesign& base = result.design;
   const Json summary = summary_value(result);
   const Json rows = rows_json(store);
+  const telling::Sources sources{&study, &store};
+  const Json limits = telling::curve_limits_json(result.answer);
   Json data{
       {"summary", summary},
-      {"names", names_json(summary, rows["columns"])},
-      {"standings", standings_json(result.answer)},
+      {"names", names_json(rows["columns"], limits)},
+      {"limits", limits},
       {"headline", telling::headline_json(telling::headline(result))},
-      {"sections", telling::sections_json(telling::sections(result))},
-      {"points", telling::points_json(result.answer)},
+      {"sections", telling::sections_json(telling::sections(result, sources))},
+      {"points", telling::points_json(result.answer, sources)},
       {"failures", failures_json(summary)},
       {"files", files_json(study, result)},
-      {"global_solvers", global_solvers_json()},
       {"study", text},
       {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
       {"parameters", parameters_json()},
       {"metrics", metrics_json()},
       {"reasons", reasons_json()},
+      {"efficiencies", efficiencies_json()},
       {"designer", {{"motor", stated_motor_json(study.motor.name, base)}, {"units", units_json()}}},
-      {"ranges", ranges_json(study)},
-      {"curves", std::visit(AnswerCurves{base}, result.answer)},
+      {"curves",
+       std::visit(AnswerCurves{base, study.motor.name.empty() ? "motor" : study.motor.name},
+                  result.answer)},
       {"rows", rows}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
-  if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
-    data["fit"] = fit_json(study, *fit);
   // The data are inserted last, so that no text in them is mistaken for a mark.
   std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
                              {assets::script(), assets::script_hash()});
@@ -172,7 +142,8 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
 }
 
 std::string report_markdown(const std::string& directory, const std::stop_token& stop) {
-  return summary_markdown(StoredStudy(directory, stop).answer());
+  StoredStudy stored(directory, stop);
+  return telling::summary_markdown(stored.answer(), {&stored.file(), &stored.store()});
 }
 
 std::string write_report(const std::string& directory, const std::stop_token& stop) {

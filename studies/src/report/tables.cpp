@@ -142,6 +142,13 @@ Json reasons_json() {
   return json;
 }
 
+Json efficiencies_json() {
+  return {{"contact_efficiency", "output over the power that the stator gives to the contact"},
+          {"efficiency", "output over that power and the loss of the vibrating stator"},
+          {"overall_efficiency",
+           "output over the electrical power; every loss but that of the driver counts"}};
+}
+
 Json units_json() {
   std::set<std::string> si_units = units_of_tables();
   si_units.insert({"ohm", "H"});  // of an equivalent circuit

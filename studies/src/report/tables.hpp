@@ -21,6 +21,9 @@ Json metrics_json();
 /// {word: what it means} of missing answers
 Json reasons_json();
 
+/// What the efficiencies of a curve count: {name: meaning}
+Json efficiencies_json();
+
 /// {SI unit: {unit that one may type: SI value of it}} for the units of parameters and metrics.
 Json units_json();
 

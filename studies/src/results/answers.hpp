@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-/// Parts of summary.json and of the terminal's summary for each kind of answer; internal.
+/// Parts of summary.json for each kind of answer; internal.
 namespace twum::studies {
 
 using Json = nlohmann::ordered_json;
@@ -28,17 +28,5 @@ Json answer_json(const OptimizeResult& result);
 Json answer_json(const ParetoResult& result);
 Json answer_json(const UncertaintyResult& result);
 Json answer_json(const CalibrateResult& result);
-
-/// Lines for the terminal of the kinds that are not told by sections, each with its end; empty if there is nothing to
-/// say.
-template <typename Answer>
-std::string answer_text(const Answer& /*told by its sections*/) {
-  return {};
-}
-std::string answer_text(const CurveResult& result);
-std::string answer_text(const FrequencyResult& result);
-std::string answer_text(const OptimizeResult& result);
-std::string answer_text(const ParetoResult& result);
-std::string answer_text(const CalibrateResult& result);
 
 }  // namespace twum::studies

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
-#include "results/calibration_tables.hpp"
 #include "results/calibration_words.hpp"
-#include "results/move_words.hpp"
+#include "results/moves_json.hpp"
 #include "results/search_words.hpp"
-
-#include <twum/io/engineering.hpp>
-#include <twum/io/number.hpp>
-#include <twum/io/text_table.hpp>
-#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -234,123 +228,6 @@ Json units_json(const CalibrateResult& result) {
   return json;
 }
 
-std::string percent(double fraction) { return rounded_text(100 * fraction, 3) + " %"; }
-
-// Two digits of half the width of the interval, and five at least.
-int interval_digits(const CalibrateResult::Estimate& e) {
-  constexpr double kFewest = 5;
-  constexpr double kMost = 10;
-  const double size = std::max(std::fabs(e.low), std::fabs(e.high));
-  const double digits = std::ceil(std::log10(2 * size / (e.high - e.low))) + 1;
-  return static_cast<int>(std::isfinite(digits) ? std::clamp(digits, kFewest, kMost) : kFewest);
-}
-
-// Value and interval in one unit, so that they can be compared at a glance.
-std::string estimates_table(const CalibrateResult& result) {
-  TextTable table;
-  table.rows.push_back({"parameter", "value", "low", "high", "", ""});
-  for (const CalibrateResult::Estimate& e : result.estimates) {
-    const DisplayUnit unit = display_unit(e.parameter.value, e.parameter.unit);
-    const bool interval = std::isfinite(e.low) && e.bound == Bound::none;
-    const int digits = interval_digits(e);
-    const auto shown = [&](double value) { return rounded_text(value / unit.divisor, digits); };
-    table.rows.push_back({e.parameter.name, shown(e.parameter.value), interval ? shown(e.low) : "-",
-                          interval ? shown(e.high) : "-", unit.text, estimate_remark(result, e)});
-  }
-  return aligned(table);
-}
-
-// A root mean square in its unit, or in standard deviations.
-std::string rms_words(double rms, const std::string& unit) {
-  return unit == "1" ? rounded_text(rms, 3) + " standard deviations" : engineering(rms, unit, 3);
-}
-
-std::string residual_words(const CalibrateResult& result) {
-  const bool mixed = result.unit == "1";  // then the largest is that in standard deviations
-  const auto size = [&](const CalibrateResult::Point& point) {
-    if (!point.counts) return -1.0;
-    return std::fabs(point.residual) * (mixed ? std::sqrt(point.weight) : 1);
-  };
-  const auto largest =
-      std::max_element(result.data.begin(), result.data.end(),
-                       [&](const auto& a, const auto& b) { return size(a) < size(b); });
-  const auto left_out = static_cast<std::size_t>(std::count_if(
-      result.data.begin(), result.data.end(), [](const auto& point) { return !point.counts; }));
-  return counted(result.data.size() - left_out, "point") +
-         (left_out > 0 ? " without " + counted(left_out, "outlier") : "") + ", residual rms " +
-         rms_words(result.residual_rms, result.unit) + ", largest " +
-         engineering(largest->residual + 0.0, largest->unit, 3) +  // -0 + 0 is 0
-         place_words(*largest) + " (measured - fitted)\n";
-}
-
-std::string column_words(const CalibrateResult& result) {
-  std::string text;
-  for (const CalibrateResult::ColumnScatter& one : result.columns)
-    text += (text.empty() ? "Scatter of each column, from its residuals: " : ", ") + one.quantity +
-            " (" + one.table + ") " + engineering(one.deviation, one.unit, 3);
-  return text.empty() ? text : text + "\n";
-}
-
-// Below this the integral of (L4.1) is no more than its own error.
-std::string chance_words(double p) {
-  constexpr double kLeast = 1e-6;
-  return p < kLeast ? "p < 1e-6" : "p = " + rounded_text(p, 2);
-}
-
-std::string neighbour_words(const CalibrateResult& result) {
-  const auto& of = result.neighbours_of;
-  const std::string count = std::to_string(result.neighbours->count);
-  const std::string chance = chance_words(result.neighbours->p) + "\n";
-  const bool torque = of.quantity == "torque_at";
-  if (result.alike())
-    return "The " + count + " residuals of " + (torque ? "torque" : of.quantity) + " in order of " +
-           of.over + " are nearly equal: chance makes neighbours as much alike with " + chance;
-  return "Neighbouring residuals" + (torque ? "" : " of " + of.quantity) + " in order of " +
-         of.over + ": correlation " + rounded_text(result.neighbours->correlation, 2) + " of " +
-         count + " points, " + chance;
-}
-
-std::string test_words(const CalibrateResult& result) {
-  std::string text = column_words(result);
-  if (result.chi_square) {
-    text += "Scatter against the standard deviations given: chi-square " +
-            rounded_text(*result.chi_square, 4) + " with " +
-            counted(result.counting_freedom(), "degree") +
-            " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
-  }
-  if (result.worst_kind)
-    text += result.worst_kind->quantity + " alone: chi-square " +
-            rounded_text(result.worst_kind->chi_square, 4) + " for " +
-            counted(result.worst_kind->count, "number") +
-            ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
-  if (result.neighbours) text += neighbour_words(result);
-  if (result.offset)
-    text += "Offset of " + column_name(*result.offset) + ": " + offset_words(*result.offset) +
-            ", " + chance_words(result.offset->p) + "\n";
-  return text;
-}
-
-std::string optima_table(const CalibrateResult& result) {
-  if (result.optima.size() < 2) return {};
-  TextTable table;
-  table.rows.push_back({"starts", "residual rms"});
-  for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
-  table.rows[0].emplace_back("");
-  for (const CalibrateResult::Optimum& optimum : result.optima) {
-    table.rows.push_back(
-        {std::to_string(optimum.starts), rms_words(optimum.residual_rms, result.unit)});
-    for (std::size_t j = 0; j < optimum.values.size(); ++j)
-      table.rows.back().push_back(
-          engineering(optimum.values[j], result.estimates[j].parameter.unit));
-    const bool answer = &optimum == &result.optima.front();
-    table.rows.back().emplace_back(answer                 ? ""
-                                   : optimum.fits_as_well ? "fits as well"
-                                   : optimum.same_valley  ? "same valley"
-                                                          : "");
-  }
-  return "\n" + aligned(table, kSummaryWidth);
-}
-
 }  // namespace
 
 std::string estimate_remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
@@ -385,23 +262,6 @@ Json answer_json(const CalibrateResult& result) {
   if (!result.columns.empty()) json["columns"] = columns_json(result);
   if (!result.derived.empty()) json["derived"] = values_json(result.derived);
   return json;
-}
-
-std::string answer_text(const CalibrateResult& result) {
-  if (result.unmeasured) return first_plan_words(result);
-  if (result.estimates.empty()) return {};
-  std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
-                     estimates_table(result) + "\n";
-  for (const NamedValue& value : result.derived)
-    text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
-  text += data_table(result) + residual_words(result) + test_words(result);
-  text += optima_table(result);
-  if (result.folded)
-    text += "\nHow the answer changes with a fixed parameter is unknown: " + fold_words() + ".\n";
-  else
-    text +=
-        moves_table(estimated_values(result), result.moves, result.estimates.size(), "estimated");
-  return text + plan_table(result);
 }
 
 }  // namespace twum::studies

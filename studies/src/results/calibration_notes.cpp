@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
 
-#include "results/calibration_tables.hpp"
 #include "results/calibration_words.hpp"
 #include "results/search_words.hpp"
 

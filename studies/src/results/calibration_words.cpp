@@ -72,6 +72,13 @@ std::string fold_words() {
          "which say nothing there";
 }
 
+std::string place_words(const CalibrateResult::Point& point) {
+  const std::string of = point.torque() ? "" : " of " + point.quantity;
+  if (point.argument == Argument::none) return of;
+  return of + " at " +
+         engineering(point.at, point.argument == Argument::speed ? "rad/s" : "N.m", 4);
+}
+
 std::string column_name(const CalibrateResult::ColumnOffset& offset) {
   const std::string what = offset.quantity == "torque_at" ? "torque" : offset.quantity;
   return offset.table.empty() ? what : what + " (" + offset.table + ")";

@@ -16,6 +16,9 @@ std::string combination_words(const CalibrateResult::Combination& combination);
 /// Why a result at a fold has no changes with fixed parameters, and no correlations.
 std::string fold_words();
 
+/// " at 100 rpm" of a torque; " of no_load_speed" of what has no argument.
+std::string place_words(const CalibrateResult::Point& point);
+
 /// "no_load_speed (points.csv)"; "torque" for torques at speeds
 std::string column_name(const CalibrateResult::ColumnOffset& offset);
 

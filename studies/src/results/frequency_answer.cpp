@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
 
-#include <twum/io/engineering.hpp>
-#include <twum/io/text_table.hpp>
 #include <twum/motors/frequency_points.hpp>
 
 namespace twum::studies {
@@ -51,14 +49,6 @@ Json response_member_json(const FrequencyResult& result, const Member& member) {
   return json;
 }
 
-std::string jump_text(const Member& member, bool rising) {
-  std::string text;
-  for (const FrequencyResult::Jumped& one : member.jumps)
-    if (one.rising == rising)
-      text += (text.empty() ? "" : ", ") + engineering(one.jump.from.frequency, "Hz");
-  return text.empty() ? "-" : text;
-}
-
 }  // namespace
 
 Json answer_json(const FrequencyResult& result) {
@@ -78,22 +68,6 @@ Json answer_json(const FrequencyResult& result) {
   for (const Member& member : result.members)
     json["responses"].push_back(response_member_json(result, member));
   return json;
-}
-
-std::string answer_text(const FrequencyResult& result) {
-  TextTable table;
-  table.rows.push_back({result.family ? result.family->name : "", "running wave", "pulls out below",
-                        "margin", "jump up at", "jump down at", "squeals"});
-  for (const Member& member : result.members) {
-    const bool ends = member.pull_out_below.has_value();
-    table.rows.push_back({result.family ? engineering(member.value, result.family->unit) : "motor",
-                          member.running ? wave_text(*member.running) : "none is steady",
-                          ends ? engineering(*member.pull_out_below, "Hz") : "-",
-                          ends ? engineering(member.frequency - *member.pull_out_below, "Hz") : "-",
-                          jump_text(member, true), jump_text(member, false),
-                          member.running ? squeal_text(*member.running) : "-"});
-  }
-  return aligned(table);
 }
 
 }  // namespace twum::studies

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/robust_answer.hpp"
 
-#include <twum/io/number.hpp>
 #include <twum/motors/statistic.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace twum::studies {
 namespace {
@@ -57,22 +53,8 @@ Json robust_yield_json(const RobustYield& yield) {
           {"verdict", yield.verdict.empty() ? Json(nullptr) : Json(yield.verdict)}};
 }
 
-// Of a share near one, what is missing has two digits: 99.9985 %.
-std::string percent_words(double share, int digits) {
-  constexpr int kMost = 12;  // as many as are not rounding
-  if (share > 0.9) digits = std::max(digits, 3);
-  if (share > 0.9 && share < 1)
-    digits = std::clamp(2 + static_cast<int>(std::floor(-std::log10(1 - share))), digits, kMost);
-  return rounded_text(100 * share, digits) + " %";
-}
-
 bool is_share(const Goal& goal) {
   return is_statistic(goal.metric) && parse_statistic(goal.metric).unit() == "1";
-}
-
-std::string goal_change_words(double change, const Goal& goal) {
-  if (!is_share(goal)) return change_words(change, goal.unit);
-  return (change > 0 ? "+" : "") + percent_words(change, 3);
 }
 
 Json robust_json(const RobustReport& report) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/search_words.hpp"
 
-#include <twum/io/engineering.hpp>
-#include <twum/io/text_table.hpp>
 #include <twum/io/words.hpp>
 
 #include <algorithm>
@@ -68,38 +66,6 @@ Json certificate_json(const optim::Certificate& certificate) {
                                 {"text", finding.text},
                                 {"names", finding.names}});
   return json;
-}
-
-std::string relaxed(const RelaxationState& state, double amount) {
-  if (!std::isfinite(amount)) return "does not help alone";
-  if (amount == 0) return "as it is";
-  const double limit = state.at_least ? state.limit - amount : state.limit + amount;
-  return (state.at_least ? ">= " : "<= ") + engineering(limit, state.unit);
-}
-
-std::string range_words(const RangeState& end, double limit) {
-  return end.variable.name + (end.upper ? " at most " : " at least ") +
-         engineering(limit, end.variable.unit);
-}
-
-std::string relaxation_table(const std::vector<RelaxationState>& limits) {
-  if (limits.empty()) return {};
-  TextTable table{{{"limit to loosen", "together with the others", "alone"}}};
-  for (const RelaxationState& state : limits)
-    table.rows.push_back(
-        {state.text, relaxed(state, state.amount), relaxed(state, state.amount_alone)});
-  return aligned(table) + "\n";
-}
-
-std::string range_table(const std::vector<RangeState>& ranges) {
-  if (ranges.empty()) return {};
-  TextTable table{{{"end of a range to move", "alone"}}};
-  for (const RangeState& end : ranges)
-    table.rows.push_back(
-        {range_words(end, end.limit), std::isfinite(end.limit_alone)
-                                          ? "possible with " + range_words(end, end.limit_alone)
-                                          : "none found"});
-  return aligned(table) + "\n";
 }
 
 }  // namespace
@@ -207,44 +173,11 @@ Json relaxation_json(const Explanation& explanation) {
   return json;
 }
 
-std::string goal_words(const Goal& goal) {
-  return (goal.maximize ? "largest " : "smallest ") + goal.metric;
-}
-
-std::string change_words(double value, const std::string& unit) {
-  if (std::isnan(value) || value == 0) return "nothing";
-  return (value > 0 ? "+" : "") + engineering(value, unit, 3);
-}
-
-std::string end_words(const BoundState& bound) {
-  return bound.upper ? "at its largest" : "at its smallest";
-}
-
 std::string enumeration(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 < names.size() ? ", " : " and ";
     text += names[i];
-  }
-  return text;
-}
-
-std::string relaxation_tables(const Explanation& explanation) {
-  return relaxation_table(explanation.limits) + range_table(explanation.ranges);
-}
-
-std::string finding_words(const optim::Certificate& certificate) {
-  std::string text;
-  for (const optim::Finding& finding : certificate.findings) {
-    if (finding.kind == optim::Degeneracy::flat_direction) {
-      text += "A valley: " + enumeration(finding.names) +
-              (finding.names.size() > 1 ? " can change together" : " can change") +
-              " without changing the answer; this design is one of many.\n";
-      continue;
-    }
-    text += finding.text;
-    if (!finding.names.empty()) text += ": " + enumeration(finding.names);
-    text += ".\n";
   }
   return text;
 }

@@ -27,18 +27,8 @@ Json relaxation_json(const Explanation& explanation);
 
 /// "lining peek.yaml and rotor light.yaml"
 std::string choice_words(const std::vector<ChosenSet>& choice);
-/// "largest peak_power", "smallest max_pressure"
-std::string goal_words(const Goal& goal);
-/// "+1.2 W"; "nothing" for no change.
-std::string change_words(double value, const std::string& unit);
-/// "at its largest"
-std::string end_words(const BoundState& bound);
 /// "a, b and c"
 std::string enumeration(const std::vector<std::string>& names);
-/// The smallest changes that help, each table with an empty line behind it.
-std::string relaxation_tables(const Explanation& explanation);
-/// The findings of a certificate, one line each.
-std::string finding_words(const optim::Certificate& certificate);
 /// The value of a name; NaN if it is not there.
 double value_of(const std::vector<NamedValue>& values, const std::string& name);
 /// The value of a goal at a design; NaN if it has none.

@@ -75,6 +75,7 @@ Standing limit_standing(const LimitState& state, const DesignReport& report,
                         {"value", number_json(state.value)},
                         {"slack", number_json(slack)},
                         {"violation", number_json(state.violation)},
+                        {"tolerance", number_json(state.tolerance)},
                         {"allowance", number_json(allowance)}});
   return standing;
 }
@@ -90,30 +91,10 @@ Standing bound_standing(const BoundState& state, const DesignReport& report,
                         {"value", number_json(state.limit)},
                         {"slack", 0},
                         {"violation", 0},
+                        {"tolerance", nullptr},
                         {"allowance", 0}});
   return standing;
 }
-
-struct Standings {
-  Json operator()(const OptimizeResult& answer) const {
-    return {{"best", standings_json(answer.best, {answer.goal})}};
-  }
-
-  Json operator()(const ParetoResult& answer) const {
-    Json json{{"front", Json::array()}, {"single_goal_ends", Json::array()}};
-    for (const ParetoResult::Point& point : answer.front)
-      json["front"].push_back(standings_json(point.report, answer.goals));
-    for (std::size_t k = 0; k < answer.single_goal_ends.size(); ++k)
-      json["single_goal_ends"].push_back(
-          standings_json(answer.single_goal_ends[k], {answer.goals[k]}));
-    return json;
-  }
-
-  template <typename Other>
-  Json operator()(const Other& /*answer*/) const {
-    return nullptr;
-  }
-};
 
 }  // namespace
 
@@ -132,7 +113,5 @@ Json standings_json(const DesignReport& report, const std::vector<Goal>& goals) 
   for (Standing& standing : list) json.push_back(std::move(standing.json));
   return json;
 }
-
-Json standings_json(const Answer& answer) { return std::visit(Standings{}, answer); }
 
 }  // namespace twum::studies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stored/result_of.hpp"
 
+#include "kinds/sample/found_motors.hpp"
 #include "stored/study_notes.hpp"
 
 #include <utility>

@@ -20,13 +20,6 @@ const char* begin_words(std::string_view outcome) {
   return "The search stopped short, at ";
 }
 
-// Digits that tell the ends of an interval apart: two of half its width, and four at least.
-int interval_digits(double low, double high) {
-  const double size = std::max(std::fabs(low), std::fabs(high));
-  const double digits = std::ceil(std::log10(2 * size / (high - low))) + 1;
-  return std::isfinite(digits) ? static_cast<int>(std::clamp(digits, 4.0, 9.0)) : 4;
-}
-
 // "preload 158 N (150 N to 166 N)"
 Phrase estimate_phrase(const CalibrateResult& answer, const CalibrateResult::Estimate& e) {
   const int digits = interval_digits(e.low, e.high);

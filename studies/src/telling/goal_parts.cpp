@@ -3,7 +3,11 @@
 
 #include "results/robust_answer.hpp"
 
+#include <twum/motors/settings.hpp>
+
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace twum::studies::telling {
 
@@ -15,6 +19,23 @@ Axis goal_axis(const Goal& goal) {
   return {{name_part(goal.metric)}, is_share(goal) ? "%" : goal.unit};
 }
 
+Phrase goal_name(const Goal& goal) {
+  return {goal.maximize ? "largest " : "smallest ", name_part(goal.metric)};
+}
+
+Part named_part(const std::string& name, double value, const std::string& unit) {
+  if (name == "radial_slices" && std::isfinite(value)) return parameter_text(name, value, unit);
+  return value_part(value, unit);
+}
+
+Part count_part(std::uint64_t count) { return value_part(static_cast<double>(count), "1", 17); }
+
+int interval_digits(double low, double high) {
+  const double size = std::max(std::fabs(low), std::fabs(high));
+  const double digits = std::ceil(std::log10(2 * size / (high - low))) + 1;
+  return std::isfinite(digits) ? static_cast<int>(std::clamp(digits, 4.0, 9.0)) : 4;
+}
+
 Phrase listed(const std::vector<Part>& parts, const std::string& last) {
   Phrase phrase;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -22,6 +43,12 @@ Phrase listed(const std::vector<Part>& parts, const std::string& last) {
     phrase.push_back(parts[i]);
   }
   return phrase;
+}
+
+std::vector<Part> name_parts(const std::vector<std::string>& names) {
+  std::vector<Part> parts;
+  for (const std::string& name : names) parts.push_back(name_part(name));
+  return parts;
 }
 
 Phrase capitalized(Phrase phrase) {
@@ -38,6 +65,29 @@ Phrase capitalized(Phrase phrase) {
 
 void append(Phrase& phrase, const Phrase& more) {
   phrase.insert(phrase.end(), more.begin(), more.end());
+}
+
+Phrase strong(Phrase phrase) {
+  for (Part& part : phrase) part.strong = true;
+  return phrase;
+}
+
+Section hooked(const std::string& hook) {
+  Section section;
+  section.hook = hook;
+  return section;
+}
+
+std::string colour_of(std::size_t i) { return "c" + std::to_string(i % 7); }
+
+std::vector<double> column_values(const ResultStore& rows, const std::string& name) {
+  const std::vector<StoredColumn>& columns = rows.columns();
+  const auto place = std::ranges::find(columns, name, &StoredColumn::name);
+  if (place == columns.end()) return {};
+  const auto column = static_cast<std::size_t>(place - columns.begin());
+  std::vector<double> values;
+  rows.read([&](const StoredRow& row) { values.push_back(row.values[column]); });
+  return values;
 }
 
 }  // namespace twum::studies::telling

@@ -3,6 +3,7 @@
 
 #include <twum/studies/telling.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,29 @@ namespace twum::studies::telling {
 Part goal_part(const Goal& goal, double value, int digits = 4);
 /// The axis of a goal.
 Axis goal_axis(const Goal& goal);
+/// "largest peak power", "smallest max pressure"
+Phrase goal_name(const Goal& goal);
+/// The value of a metric or a parameter: slices and whole numbers as a motor file has them, efficiencies in per cent.
+Part named_part(const std::string& name, double value, const std::string& unit);
+/// A whole number, with all of its digits.
+Part count_part(std::uint64_t count);
+/// Digits that tell the ends of an interval apart: two of half its width, and four at least.
+int interval_digits(double low, double high);
 /// "a, b and c"
 Phrase listed(const std::vector<Part>& parts, const std::string& last = " and ");
+/// The names of these.
+std::vector<Part> name_parts(const std::vector<std::string>& names);
 /// A sentence of a book begins with a capital, also with a name.
 Phrase capitalized(Phrase phrase);
 /// The phrase with more behind it.
 void append(Phrase& phrase, const Phrase& more);
+/// All of it stands out.
+Phrase strong(Phrase phrase);
+/// A section that is nothing but a part of the page.
+Section hooked(const std::string& hook);
+/// The i-th of several colours.
+std::string colour_of(std::size_t i);
+/// The values of a column of the stored rows in their order; empty if there is none of this name.
+std::vector<double> column_values(const ResultStore& rows, const std::string& name);
 
 }  // namespace twum::studies::telling

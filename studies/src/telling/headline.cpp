@@ -86,15 +86,9 @@ Headline headline(const StudyResult& result) {
   return told;
 }
 
-std::vector<Section> sections(const StudyResult& result) {
-  return std::visit(
-      []<typename A>(const A& answer) -> std::vector<Section> {
-        if constexpr (requires { sections_of(answer); })
-          return sections_of(answer);
-        else
-          return {};
-      },
-      result.answer);
+std::vector<Section> sections(const StudyResult& result, const Sources& sources) {
+  return std::visit([&](const auto& answer) { return sections_of(answer, sources); },
+                    result.answer);
 }
 
 }  // namespace twum::studies::telling

@@ -21,15 +21,16 @@ std::string row_of(const std::vector<Phrase>& row) {
   return text + "\n";
 }
 
-std::string table_of(const Table& table) {
+}  // namespace
+
+std::string markdown(const Table& table) {
   std::string text = row_of(table.heads) + "|";
-  for (std::size_t i = 0; i < table.heads.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
+  for (std::size_t i = 0; i < table.heads.size(); ++i)
+    text += i < table.keys ? " --- |" : " ---: |";
   text += "\n";
   for (const std::vector<Phrase>& row : table.rows) text += row_of(row);
   return text;
 }
-
-}  // namespace
 
 std::string markdown(const Phrase& phrase) {
   std::string text;
@@ -54,12 +55,14 @@ std::string markdown(const Headline& headline) {
 std::string markdown(const std::vector<Section>& sections) {
   std::string text;
   for (const Section& section : sections) {
-    if (section.sentences.empty() && section.tables.empty()) continue;
+    if (is_picture(section)) continue;
     text += "\n## " + markdown(capitalized(section.heading)) + "\n";
-    if (!section.note.empty()) text += "\n" + markdown(section.note) + "\n";
+    if (!section.note.empty()) text += "\n" + markdown(capitalized(section.note)) + "\n";
     for (const Phrase& phrase : section.sentences)
       text += "\n" + markdown(capitalized(phrase)) + "\n";
-    for (const Table& table : section.tables) text += "\n" + table_of(table);
+    if (!section.remarks.empty()) text += "\n";
+    for (const Phrase& phrase : section.remarks) text += "- " + markdown(phrase) + "\n";
+    for (const Table& table : section.tables) text += "\n" + markdown(table);
   }
   return text;
 }

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/standings.hpp"
 #include "telling/goal_parts.hpp"
+#include "telling/limit_parts.hpp"
 #include "telling/renderers.hpp"
 #include "telling/tellings.hpp"
+
+#include <twum/io/number.hpp>
+#include <twum/motors/expression.hpp>
+
+#include <cmath>
 
 namespace twum::studies::telling {
 namespace {
@@ -21,33 +28,71 @@ Json phrase_json(const Phrase& phrase) {
   return list.size() == 1 && list.front().is_string() ? list.front() : list;
 }
 
-Json phrases_json(const std::vector<Phrase>& phrases) {
+Json sentences_json(const std::vector<Phrase>& phrases) {
   Json list = Json::array();
   for (const Phrase& phrase : phrases) list.push_back(phrase_json(capitalized(phrase)));
   return list;
 }
 
-// As a cell of studies/page/table.js: what is shown, and what the saved file has.
+// Lines that may begin with a name.
+Json remarks_json(const std::vector<Phrase>& phrases) {
+  Json list = Json::array();
+  for (const Phrase& phrase : phrases) list.push_back(phrase_json(phrase));
+  return list;
+}
+
+constexpr const char* kTones[] = {"", "good", "bad"};
+
+// What is shown, and what the saved file has: words, [words, name], [number, value] or [words, words, tone].
 Json cell_json(const Phrase& phrase) {
   const std::string text = written(phrase, Writing::page);
   const Part& first = phrase.front();
-  if (first.kind == Part::Kind::value || first.kind == Part::Kind::share)
-    return {{"text", text}, {"value", number_json(first.value)}};
-  return {{"text", text}, {"value", first.text}, {"words", true}};
+  const bool one = phrase.size() == 1;
+  if (one && (first.kind == Part::Kind::value || first.kind == Part::Kind::share))
+    return {text, number_json(first.value)};
+  if (first.tone != Tone::none) return {text, text, kTones[static_cast<std::size_t>(first.tone)]};
+  return first.text == text || first.kind == Part::Kind::words ? Json(text)
+                                                               : Json{text, first.text};
+}
+
+// The SI unit of all numbers of a column; empty where they differ or there are none.
+std::string unit_of(const Table& table, std::size_t column) {
+  std::string unit;
+  for (const std::vector<Phrase>& row : table.rows) {
+    if (row[column].size() != 1 || row[column].front().kind != Part::Kind::value) continue;
+    if (!unit.empty() && row[column].front().text != unit) return "";
+    unit = row[column].front().text;
+  }
+  return unit == "1" ? "" : unit;
 }
 
 Json table_json(const Table& table) {
-  Json heads = Json::array(), rows = Json::array();
-  for (const Phrase& head : table.heads) heads.push_back(written(head, Writing::page));
-  for (const std::vector<Phrase>& row : table.rows) {
-    rows.push_back(Json::array());
-    for (const Phrase& cell : row) rows.back().push_back(cell_json(cell));
+  Json json{{"name", table.name}, {"heads", Json::array()}, {"rows", Json::array()}};
+  if (table.shaded) json["shaded"] = true;
+  Json units = Json::array();
+  for (std::size_t i = 0; i < table.heads.size(); ++i) {
+    json["heads"].push_back(written(table.heads[i], Writing::page));
+    units.push_back(unit_of(table, i));
   }
-  return {{"name", table.name}, {"heads", heads}, {"rows", rows}};
+  for (const std::vector<Phrase>& row : table.rows) {
+    Json& cells = json["rows"].emplace_back(Json::array());
+    for (const Phrase& cell : row) cells.push_back(cell_json(cell));
+  }
+  json["units"] = units;
+  return json;
+}
+
+// A line of a picture needs no more digits.
+double drawn(double value) {
+  constexpr int kDigits = 7;
+  return std::isfinite(value) ? parse_number(rounded_text(value, kDigits)).value_or(value) : value;
 }
 
 Json numbers_json(const Numbers& numbers) {
-  return numbers.where.empty() ? Json(numbers.values) : Json(numbers.where);
+  if (!numbers.where.empty()) return numbers.where;
+  Json list = Json::array();
+  for (const double value : numbers.values) list.push_back(number_json(drawn(value)));
+  return list;
 }
 
 Json axis_json(const Axis& axis) {
@@ -58,38 +103,54 @@ Json axis_json(const Axis& axis) {
           {"high", number_json(axis.high)}};
 }
 
-constexpr const char* kStrokes[] = {"line", "outline", "bars"};
+constexpr const char* kStrokes[] = {"line", "dashes", "dots", "steps", "path", "outline", "bars"};
+constexpr const char* kGuides[] = {"limit", "quantile", "level"};
+
+Json series_json(const Series& series) {
+  Json json{{"name", series.name},
+            {"stroke", kStrokes[static_cast<std::size_t>(series.stroke)]},
+            {"colour", series.colour},
+            {"x", numbers_json(series.x)},
+            {"y", numbers_json(series.y)}};
+  if (!series.half.values.empty()) {
+    json["half"] = numbers_json(series.half);
+    json["band"] = series.band;
+  }
+  return json;
+}
 
 Json chart_json(const Chart& chart) {
   Json json{{"name", chart.name},
-            {"title", written(chart.title, Writing::page)},
+            {"title", written(capitalized(chart.title), Writing::page)},
             {"x", axis_json(chart.x)},
             {"y", axis_json(chart.y)},
             {"least", number_json(chart.least)},
             {"most", number_json(chart.most)},
+            {"round", chart.one_scale},
             {"series", Json::array()},
             {"guides", Json::array()},
             {"marks", Json::array()}};
-  for (const Series& one : chart.series)
-    json["series"].push_back({{"name", one.name},
-                              {"stroke", kStrokes[static_cast<std::size_t>(one.stroke)]},
-                              {"x", numbers_json(one.x)},
-                              {"y", numbers_json(one.y)}});
+  for (const Series& one : chart.series) json["series"].push_back(series_json(one));
   for (const Guide& guide : chart.guides)
-    json["guides"].push_back({{"at", guide.at}, {"text", written(guide.text, Writing::page)}});
+    json["guides"].push_back({{"at", guide.at},
+                              {"text", written(guide.text, Writing::page)},
+                              {"kind", kGuides[static_cast<std::size_t>(guide.kind)]}});
   for (const Mark& mark : chart.marks)
-    json["marks"].push_back(
-        {{"x", mark.x}, {"y", mark.y}, {"text", written(mark.text, Writing::page)}});
+    json["marks"].push_back({{"x", mark.x},
+                             {"y", mark.y},
+                             {"text", written(mark.text, Writing::page)},
+                             {"colour", mark.colour}});
   return json;
 }
 
 Json section_json(const Section& section) {
-  Json json{{"heading", written(section.heading, Writing::page)},
-            {"note", written(section.note, Writing::page)},
+  Json json{{"heading", written(capitalized(section.heading), Writing::page)},
+            {"note", phrase_json(capitalized(section.note))},
             {"wide", section.wide},
             {"folded", section.folded},
             {"charts", Json::array()},
-            {"sentences", phrases_json(section.sentences)},
+            {"sentences", sentences_json(section.sentences)},
+            {"remarks", remarks_json(section.remarks)},
             {"tables", Json::array()}};
   for (const Chart& chart : section.charts) json["charts"].push_back(chart_json(chart));
   if (section.bars.of > 0)
@@ -102,6 +163,39 @@ Json section_json(const Section& section) {
   return json;
 }
 
+// "0.5 N·m at 100 rpm" of a duty or limit on the torque; otherwise the limit alone.
+std::string mark_text(const Json& standing) {
+  const std::string metric = standing["metric"];
+  Phrase phrase{metric == "stall_torque"    ? "stall "
+                : metric == "no_load_speed" ? "no load "
+                                            : "",
+                standing["side"] == "at least" ? "≥ " : "≤ ",
+                value_part(standing["limit"], standing["unit"])};
+  const MetricExpression expression = parse_metric(metric);
+  if (const MetricRequest* request = expression.request();
+      request != nullptr && request->argument == Argument::speed)
+    append(phrase, {" at ", value_part(request->at, "rad/s")});
+  if (standing["state"] == "broken" || standing["state"] == "unreachable") {
+    append(phrase, {" ("});
+    append(phrase, state_phrase(standing));
+    append(phrase, {")"});
+  }
+  return written(phrase, Writing::page);
+}
+
+// Limits of a design on metrics, which a chart of its curve may have a place for.
+Json curve_limits(const DesignReport& report, const std::vector<Goal>& goals) {
+  Json json = Json::array();
+  for (const Json& one : standings_json(report, goals))
+    if (one.contains("metric"))
+      json.push_back({{"metric", one["metric"]},
+                      {"limit", one["limit"]},
+                      {"least", one["side"] == "at least"},
+                      {"broken", one["state"] == "broken" || one["state"] == "unreachable"},
+                      {"text", mark_text(one)}});
+  return json;
+}
+
 constexpr const char* kLooks[] = {"good", "bad", "plain"};
 
 }  // namespace
@@ -110,20 +204,28 @@ Json headline_json(const Headline& headline) {
   return {{"title", headline.title},
           {"look", kLooks[static_cast<std::size_t>(headline.look)]},
           {"badge", headline.badge},
-          {"sentences", phrases_json(headline.sentences)},
-          {"remarks", phrases_json(headline.remarks)}};
+          {"sentences", sentences_json(headline.sentences)},
+          {"remarks", remarks_json(headline.remarks)}};
 }
 
-Json points_json(const Answer& answer) {
+Json curve_limits_json(const Answer& answer) {
+  if (const auto* search = std::get_if<OptimizeResult>(&answer))
+    return curve_limits(search->best, {search->goal});
   const auto* front = std::get_if<ParetoResult>(&answer);
   if (front == nullptr) return nullptr;
   Json json = Json::array();
-  for (std::size_t i = 0; i < front->front.size(); ++i) {
-    std::string yields;
-    for (const RobustYield& yield : front->front[i].yields)
-      yields += (yields.empty() ? "" : " ") + written(yield_phrase(yield), Writing::page);
-    json.push_back({{"name", written(point_phrase(*front, i), Writing::page)}, {"yields", yields}});
-  }
+  for (const ParetoResult::Point& point : front->front)
+    json.push_back(curve_limits(point.report, front->goals));
+  return json;
+}
+
+Json points_json(const Answer& answer, const Sources& sources) {
+  const auto* front = std::get_if<ParetoResult>(&answer);
+  if (front == nullptr) return nullptr;
+  Json json = Json::array();
+  for (std::size_t i = 0; i < front->front.size(); ++i)
+    json.push_back({{"role", written(role_phrase(*front, i), Writing::page)},
+                    {"sections", sections_json(point_sections(*front, i, sources))}});
   return json;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 
@@ -17,14 +18,26 @@ namespace {
 
 constexpr const char* kNoBreak = "\u00a0";
 
+// "1.2 · 10⁻¹⁰" of "1.2e-10"
+std::string raised(const std::string& text, std::size_t exponent, const std::string& blank) {
+  constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const int power = std::atoi(text.c_str() + exponent + 1);
+  std::string up = power < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(power))) up += kRaised[digit - '0'];
+  return text.substr(0, exponent) + blank + "·" + blank + "10" + up;
+}
+
 // Without an exponent where the number is short without one: 290, not 2.9e+02.
-std::string short_number(double value, int digits) {
+std::string short_number(double value, int digits, Writing writing) {
   const std::string text = rounded_text(value, digits);
   const double size = std::fabs(value);
   const auto again = parse_number(text);
-  return again && text.find('e') != std::string::npos && size >= 1e-4 && size < 1e7
-             ? number_text(*again)
-             : text;
+  const std::size_t exponent = text.find('e');
+  if (!again || exponent == std::string::npos) return text;
+  if (size >= 1e-4 && size < 1e7) return number_text(*again);
+  return writing == Writing::typed
+             ? text
+             : raised(text, exponent, writing == Writing::page ? kNoBreak : " ");
 }
 
 std::string with_unit(const std::string& number, const std::string& unit, Writing writing) {
@@ -43,13 +56,13 @@ int share_digits(double share, int digits) {
 
 std::string written_share(double share, int digits, Writing writing) {
   if (!std::isfinite(share)) return "-";
-  return with_unit(short_number(100 * share, share_digits(share, digits)), "%", writing);
+  return with_unit(short_number(100 * share, share_digits(share, digits), writing), "%", writing);
 }
 
 std::string written_value(double value, const std::string& si_unit, int digits, Writing writing) {
   if (!std::isfinite(value)) return "-";
   const DisplayUnit unit = display_unit(value, si_unit);
-  return with_unit(short_number(value / unit.divisor, digits), unit.text, writing);
+  return with_unit(short_number(value / unit.divisor, digits, writing), unit.text, writing);
 }
 
 // "+1.2 W", "-3 %", "nothing"
@@ -182,6 +195,16 @@ Part strong(Part part) {
 
 Part change(Part part) {
   part.change = true;
+  return part;
+}
+
+Part good(Part part) {
+  part.tone = Tone::good;
+  return part;
+}
+
+Part bad(Part part) {
+  part.tone = Tone::bad;
   return part;
 }
 

@@ -11,21 +11,32 @@
 /// The renderers of a presentation; internal. Pictures have theirs in the program.
 namespace twum::studies::telling {
 
+/// Nothing in it can be written.
+bool is_picture(const Section& section);
+
 /// Headings, sentences a line each, and aligned tables, with names as one types them; charts are left out.
 std::string terminal_text(const Headline& headline);
 std::string terminal_text(const std::vector<Section>& sections);
+/// One table with all of its rows. Width 0: as it is.
+std::string terminal_text(const Table& table, std::size_t width);
 
 /// Headings, sentences and tables; charts are left out.
 /// @{
 std::string markdown(const Phrase& phrase);
+std::string markdown(const Table& table);
 std::string markdown(const Headline& headline);
 std::string markdown(const std::vector<Section>& sections);
 /// @}
 
 /// What studies/page/telling.js draws.
 Json headline_json(const Headline& headline);
-/// Of each point of a front its goals and its yields, in words; null of other answers.
-Json points_json(const Answer& answer);
+/// Limits that may stand on charts of curves: those of the best design, or of each point of a front; null of others.
+Json curve_limits_json(const Answer& answer);
+/// Of each point of a front what it is, and what is said of it when it is chosen; null of other answers.
+Json points_json(const Answer& answer, const Sources& sources);
 Json sections_json(const std::vector<Section>& sections);
+
+/// The whole answer as Markdown.
+std::string summary_markdown(const StudyResult& result, const Sources& sources);
 
 }  // namespace twum::studies::telling

@@ -88,16 +88,23 @@ Section density(const RobustReport& report, std::size_t i) {
   const std::string other =
       std::isfinite(report.nominal_objective) ? "optimum without tolerances" : "motor as it was";
   const std::string where = "robust/densities/" + std::to_string(i) + "/";
-  Numbers edges{"", {}};
+  Numbers edges{"", {}}, keep{"", {}}, fail{"", {}};
   for (std::size_t k = 0; k <= density.motors.size(); ++k)
     edges.values.push_back(density.first + static_cast<double>(k) * density.width);
+  for (std::size_t k = 0; k < density.motors.size(); ++k) {
+    const double middle = edges.values[k] + 0.5 * density.width;
+    const bool keeps = middle >= density.lower && middle <= density.upper;
+    keep.values.push_back(keeps ? density.motors[k] : 0);
+    fail.values.push_back(keeps ? 0 : density.motors[k]);
+  }
   Chart chart{
       "density-" + density.metric,
       {"spread of ", name_part(density.metric)},
       {{name_part(density.metric)}, density.unit, false, edges.values.front(), edges.values.back()},
       {{"motors per bin"}, "%", true},
-      {{"keeps the limit", Stroke::bars, edges, {where + "motors", density.motors}},
-       {other, Stroke::outline, edges, {where + "nominal", density.nominal}}},
+      {{"keeps the limit", Stroke::bars, edges, keep},
+       {"breaks it", Stroke::bars, edges, fail, "c1"},
+       {other, Stroke::outline, edges, {where + "nominal", density.nominal}, "ink"}},
       limit_guides(density, edges.values.front(), edges.values.back()),
       {},
       density.lower,
@@ -226,7 +233,7 @@ Chart price_chart(const RobustReport& report, const Goal& goal) {
   }
   Chart chart{
       "yield", {"what the yield costs"}, {{"yield"}, "%", false, kLeastYield, 1}, goal_axis(goal)};
-  chart.series = {{"", Stroke::line, yields, goals}};
+  chart.series = {{"", Stroke::line, yields, goals}, {"", Stroke::dots, yields, goals}};
   if (reached(report) && !report.yields.empty() && std::isfinite(report.objective))
     chart.marks = {{report.yields.front().target, report.objective, {"this design"}}};
   return chart;
@@ -280,10 +287,6 @@ Phrase robust_sentence(const RobustReport& report) {
             ". The design shown has it; tighten a tolerance or loosen a limit."};
   return report.yields.empty() ? statistic_phrase(report.statistics.front())
                                : yield_phrase(report.yields.front());
-}
-
-std::vector<Section> sections_of(const OptimizeResult& answer) {
-  return answer.robust ? robust_sections(*answer.robust, answer.goal) : std::vector<Section>{};
 }
 
 std::vector<Section> robust_sections(const RobustReport& report, const Goal& goal) {

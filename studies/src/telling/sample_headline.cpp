@@ -18,10 +18,12 @@ constexpr double kGoodYield = 0.95;
 /// Values that differ by less are the same but for rounding, of their size.
 constexpr double kSame = 1e-9;
 
-Headline plain(std::vector<Phrase> sentences) {
+Headline plain_headline(std::vector<Phrase> sentences) {
   return {Look::plain, "", std::move(sentences), {}};
 }
-Headline bad(std::vector<Phrase> sentences) { return {Look::bad, "", std::move(sentences), {}}; }
+Headline bad_headline(std::vector<Phrase> sentences) {
+  return {Look::bad, "", std::move(sentences), {}};
+}
 
 NamedValue metric_of(const CurveResult::Member& member, const std::string& name) {
   for (const NamedValue& metric : member.metrics)
@@ -50,17 +52,17 @@ Headline motor_headline(const CurveResult::Member& member) {
   if (std::isnan(peak)) {
     Phrase phrase{strong("This motor has no peak power that could be computed. ")};
     append(phrase, known_phrase(member));
-    return bad({phrase});
+    return bad_headline({phrase});
   }
   if (!(peak > 0))
-    return bad({{strong("This motor drives no load: "), "its torque at stall is ",
-                 metric_part(member, "stall_torque"), "."}});
-  return plain({{"This motor holds ", strong(metric_part(member, "stall_torque")),
-                 " at stall and runs up to ", strong(metric_part(member, "no_load_speed")),
-                 " without load."},
-                {"It gives at most ", strong(metric_part(member, "peak_power")), " (at ",
-                 metric_part(member, "speed_at_peak_power"), ", ",
-                 metric_part(member, "torque_at_peak_power"), ")."}});
+    return bad_headline({{strong("This motor drives no load: "), "its torque at stall is ",
+                          metric_part(member, "stall_torque"), "."}});
+  return plain_headline({{"This motor holds ", strong(metric_part(member, "stall_torque")),
+                          " at stall and runs up to ", strong(metric_part(member, "no_load_speed")),
+                          " without load."},
+                         {"It gives at most ", strong(metric_part(member, "peak_power")), " (at ",
+                          metric_part(member, "speed_at_peak_power"), ", ",
+                          metric_part(member, "torque_at_peak_power"), ")."}});
 }
 
 Part member_part(const CurveResult& answer, const CurveResult::Member& member) {
@@ -112,11 +114,11 @@ Headline family_headline(const CurveResult& answer) {
       joined({most_phrase(answer, "peak_power"), most_phrase(answer, "stall_torque"),
               most_phrase(answer, "no_load_speed")},
              "; ");
-  if (tops.empty()) return plain({first});
+  if (tops.empty()) return plain_headline({first});
   Phrase second{"The most: "};
   append(second, tops);
   second.push_back(".");
-  return plain({first, second});
+  return plain_headline({first, second});
 }
 
 // Size of an effect, by which variables are sorted; NaN: none.
@@ -217,7 +219,7 @@ Phrase design_phrase(const SweepResult& answer, const SweepResult::Design& desig
 }
 
 Headline headline_of(const CurveResult& answer, const StudyResult& /*result*/) {
-  if (answer.members.empty()) return bad({{strong("No curve could be computed.")}});
+  if (answer.members.empty()) return bad_headline({{strong("No curve could be computed.")}});
   return answer.family ? family_headline(answer) : motor_headline(answer.members.front());
 }
 
@@ -228,31 +230,32 @@ Headline headline_of(const SweepResult& answer, const StudyResult& /*result*/) {
                      : ", " + std::to_string(answer.failed) + " of them failed or incomplete."});
   const auto metric =
       std::ranges::find_if(answer.metrics, [](const auto& one) { return one.count > 0; });
-  if (metric == answer.metrics.end()) return bad({first});
+  if (metric == answer.metrics.end()) return bad_headline({first});
   const auto value = [&](double v) { return strong(value_part(v, metric->column.unit)); };
   const Part name = strong(name_part(metric->column.name));
   if (metric->min == metric->max)
-    return plain({first, {"The ", name, " is the same in all: ", value(metric->max), "."}});
+    return plain_headline(
+        {first, {"The ", name, " is the same in all: ", value(metric->max), "."}});
   Phrase second{"The ",  name, " runs from ", value(metric->min), " to ", value(metric->max),
                 " with "};
   append(second, design_phrase(answer, metric->highest));
   second.push_back(".");
-  return plain({first, second});
+  return plain_headline({first, second});
 }
 
 Headline headline_of(const SensitivityResult& answer, const StudyResult& /*result*/) {
   std::vector<Ranked> list;
   for (const MetricSensitivity& metric : answer.metrics)
     if (Ranked one = ranked(answer, metric); !one.names.empty()) list.push_back(std::move(one));
-  if (list.empty()) return bad({{strong("No effects could be computed.")}});
+  if (list.empty()) return bad_headline({{strong("No effects could be computed.")}});
   const Phrase further = further_effects(list);
-  return further.empty() ? plain({first_effects(list[0])})
-                         : plain({first_effects(list[0]), further});
+  return further.empty() ? plain_headline({first_effects(list[0])})
+                         : plain_headline({first_effects(list[0]), further});
 }
 
 Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*result*/) {
-  if (answer.samples == 0) return bad({{strong("No motor was computed.")}});
-  if (!answer.yield) return plain({spread_sentence(answer)});
+  if (answer.samples == 0) return bad_headline({{strong("No motor was computed.")}});
+  if (!answer.yield) return plain_headline({spread_sentence(answer)});
   const Estimate& kept = *answer.yield;
   const Phrase first{strong(share_part(kept.value)),
                      " of the motors keep every limit (between ",
@@ -274,7 +277,7 @@ Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*resul
 
 Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*/) {
   if (answer.members.empty() || !answer.members.front().running)
-    return bad({{strong("The wave does not run"), " at the frequency of the drive."}});
+    return bad_headline({{strong("The wave does not run"), " at the frequency of the drive."}});
   const FrequencyResult::Member& member = answer.members.front();
   const Phrase first{"At its drive frequency of ",
                      value_part(member.frequency, "Hz", 5),
@@ -284,8 +287,9 @@ Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*
                      " with a wave of ",
                      strong(value_part(member.running->point.amplitude, "m")),
                      "."};
-  if (!member.pull_out_below) return plain({first, {"Its wave does not pull out in the range."}});
-  return plain(
+  if (!member.pull_out_below)
+    return plain_headline({first, {"Its wave does not pull out in the range."}});
+  return plain_headline(
       {first,
        {"The wave pulls out below ", value_part(*member.pull_out_below, "Hz", 5), ", a margin of ",
         strong(value_part(member.frequency - *member.pull_out_below, "Hz", 3)), "."}});

@@ -2,11 +2,10 @@
 #include "results/search_words.hpp"
 #include "results/standings.hpp"
 #include "telling/goal_parts.hpp"
+#include "telling/limit_parts.hpp"
 #include "telling/tellings.hpp"
 
-#include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
-#include <twum/motors/motor_limit.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +15,6 @@ namespace {
 
 using Look = Headline::Look;
 
-double goal_of(const DesignReport& report, const Goal& goal) {
-  const double value = goal_value(report, goal);
-  return std::isnan(value) ? value_of(report.design, goal.metric) : value;
-}
-
 double before_of(const OptimizeResult& answer) {
   for (const auto* values :
        {&answer.before_metrics, &answer.before_design, &answer.before_statistics})
@@ -29,59 +23,12 @@ double before_of(const OptimizeResult& answer) {
   return std::nan("");
 }
 
-// "preload ≤ 300 N"
-Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit) {
-  return {name_part(name), at_least ? " ≥ " : " ≤ ", value_part(limit, unit)};
-}
-
-bool is_limit(const std::string& text) {
-  try {
-    parse_limit(text);
-    return true;
-  } catch (const ValueError&) {
-    return false;  // one that the others imply
-  }
-}
-
-Phrase standing_name(const Json& standing) {
-  const bool at_least = standing["side"] == "at least";
-  if (standing.contains("variable")) {
-    Phrase phrase = end_phrase(standing["variable"], at_least, standing["limit"], standing["unit"]);
-    append(phrase, {", the end of its range"});
-    return phrase;
-  }
-  const std::string text = standing["text"];
-  if (is_limit(text)) return {limit_part(text)};
-  Phrase phrase = end_phrase(standing["metric"], at_least, standing["limit"], standing["unit"]);
-  append(phrase, {", which the others imply"});
-  return phrase;
-}
-
-// What moving a limit by 1 % brings.
-Phrase holder_phrase(const Json& standing, const Goal& goal, double now) {
-  Phrase phrase = standing_name(standing);
-  for (Part& part : phrase) part.strong = true;
-  const Json& by = standing["changes"][0];
-  if (by.is_null() || by == 0.0) {
-    append(phrase, {": it is met, but moving it by 1 % changes nothing to first order."});
-    return phrase;
-  }
-  // One per cent of nothing is nothing: a limit at 0 is moved by as much as its scale says.
-  append(phrase, {standing["limit"] == 0.0 ? ": moved to " : ": 1 % looser, at ",
-                  value_part(standing["moved"], standing["unit"]), ", changes ",
-                  name_part(goal.metric), " by ", strong(change(goal_part(goal, by, 3)))});
-  if (now != 0 && std::isfinite(now))
-    append(phrase, {" (", change(share_part(by.get<double>() / std::fabs(now))), ")"});
-  append(phrase, {"."});
-  return phrase;
-}
-
 // What binds most, or a whole number at an end of its range.
 Phrase stop_sentence(const OptimizeResult& answer) {
   Phrase phrase{"What stops it most: "};
   for (const Json& standing : standings_json(answer.best, {answer.goal})) {
     if (standing["state"] != "binds") continue;
-    append(phrase, holder_phrase(standing, answer.goal, goal_of(answer.best, answer.goal)));
+    append(phrase, holder_phrase(standing, {answer.goal}, answer.best));
     return phrase;
   }
   if (answer.whole_ends.empty())

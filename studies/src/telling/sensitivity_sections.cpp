@@ -247,11 +247,12 @@ Section method_section(const SensitivityResult& answer) {
 
 }  // namespace
 
-std::vector<Section> sections_of(const SensitivityResult& answer) {
+std::vector<Section> sections_of(const SensitivityResult& answer, const Sources& /*sources*/) {
   std::vector<Section> list;
   for (const MetricSensitivity& metric : answer.metrics)
     list.push_back(MetricSection(answer, metric).take());
   list.push_back(method_section(answer));
+  list.push_back(hooked("motor"));
   return list;
 }
 

@@ -65,11 +65,8 @@ std::string heading(const StudyResult& result, const telling::Headline& told) {
 }  // namespace
 
 std::string summary_text(const StudyResult& result, std::span<const std::string> said) {
-  const std::string answer =
-      std::visit([](const auto& one) { return answer_text(one); }, result.answer);
   const telling::Headline told = telling::headline(result);
   std::string text = heading(result, told) + "\n" + telling::terminal_text(told);
-  if (!answer.empty()) text += "\n" + answer;
   const std::string said_of = telling::terminal_text(telling::sections(result));
   if (!said_of.empty()) text += "\n" + said_of;
   std::string notes;
@@ -80,20 +77,20 @@ std::string summary_text(const StudyResult& result, std::span<const std::string>
 }
 
 std::string summary_markdown(const StudyResult& result) {
-  const telling::Headline told = telling::headline(result);
-  const auto line = [](const std::string& words) {
-    return telling::markdown(telling::Phrase{words});
-  };
-  std::string text =
-      "# " + line(result.study) + "\n\n" + line(told.title) + "\n\n" + telling::markdown(told);
-  const std::vector<telling::Section> sections = telling::sections(result);
-  const std::string answer =
-      std::visit([](const auto& one) { return answer_text(one); }, result.answer);
-  text += telling::markdown(sections);
-  if (!answer.empty()) text += "\n```text\n" + answer + "```\n";
+  return telling::summary_markdown(result, {});
+}
+
+namespace telling {
+
+std::string summary_markdown(const StudyResult& result, const Sources& sources) {
+  const Headline told = headline(result);
+  const auto line = [](const std::string& words) { return markdown(Phrase{words}); };
+  std::string text = "# " + line(result.study) + "\n\n" + line(told.title) + "\n\n" +
+                     markdown(told) + markdown(sections(result, sources));
   if (!result.model_notes.empty()) text += "\n## Mind the model\n\n";
   for (const std::string& note : result.model_notes) text += "- " + line(note) + "\n";
   return text;
 }
 
+}  // namespace telling
 }  // namespace twum::studies

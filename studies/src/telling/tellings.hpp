@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/move.hpp>
 #include <twum/studies/telling.hpp>
 
 #include <vector>
@@ -26,16 +27,35 @@ Headline relaxation_headline(const Explanation& explanation);
 /// "peak power 20 W with wear intensity at 80 rpm 6.4 kW/m²": a point of a front by its goals.
 Phrase point_phrase(const ParetoResult& answer, std::size_t point);
 
+/// What is said of a point of a front that one has chosen.
+std::vector<Section> point_sections(const ParetoResult& answer, std::size_t point,
+                                    const Sources& sources);
+
 /// "amplitude 1.6 µm, preload 160 N"
 Phrase design_phrase(const SweepResult& answer, const SweepResult::Design& design);
 
 /// What is said below the headline, by kind of answer.
 /// @{
-std::vector<Section> sections_of(const OptimizeResult& answer);
-std::vector<Section> sections_of(const SweepResult& answer);
-std::vector<Section> sections_of(const SensitivityResult& answer);
-std::vector<Section> sections_of(const UncertaintyResult& answer);
+std::vector<Section> sections_of(const CurveResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const SweepResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const SensitivityResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const ParetoResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const FrequencyResult& answer, const Sources& sources);
 /// @}
+
+/// Why the contact efficiency is above the efficiency, where both are among the metrics; empty otherwise.
+Phrase efficiency_note(const std::vector<NamedValue>& metrics);
+
+/// How an answer changes with parameters that its study holds fixed, those that count first; none if none counts.
+/// @param answer   the numbers that move, in the order of the slopes
+/// @param goal     one of them that is no parameter, if there is one
+/// @param missing  why nothing is known; empty if it is
+std::vector<Section> moves_sections(const std::vector<NamedValue>& answer,
+                                    const std::vector<Move>& moves, const std::string& goal,
+                                    const std::string& missing);
 
 /// How many of the motors keep the limits, or that the wanted share cannot be reached.
 Phrase yield_phrase(const RobustYield& yield);

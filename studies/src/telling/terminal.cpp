@@ -2,20 +2,34 @@
 #include "telling/renderers.hpp"
 
 #include <twum/io/text_table.hpp>
+#include <twum/io/words.hpp>
+
+#include <algorithm>
 
 namespace twum::studies::telling {
 namespace {
 
-std::vector<std::string> cells(const std::vector<Phrase>& row) {
+std::vector<std::string> cells(const std::vector<Phrase>& row, std::size_t most) {
   std::vector<std::string> list;
-  for (const Phrase& phrase : row) list.push_back(written(phrase, Writing::typed));
+  for (std::size_t i = 0; i < row.size() && (most == 0 || i < most); ++i)
+    list.push_back(written(row[i], Writing::typed));
   return list;
 }
 
-std::string table_text(const Table& table) {
-  TextTable text{{cells(table.heads)}};
-  for (const std::vector<Phrase>& row : table.rows) text.rows.push_back(cells(row));
-  return aligned(text, kSummaryWidth);
+// More rows than these are in summary.json and on the page.
+constexpr std::size_t kMostRows = 20;
+
+std::string table_text(const Table& table, std::size_t rows, std::size_t width) {
+  TextTable text{{cells(table.heads, table.typed)}, false, table.keys};
+  for (std::size_t i = 0; i < rows; ++i) text.rows.push_back(cells(table.rows[i], table.typed));
+  return aligned(text, width);
+}
+
+std::string summary_table(const Table& table) {
+  const std::size_t shown = std::min(table.rows.size(), kMostRows);
+  const std::size_t left = table.rows.size() - shown;
+  return table_text(table, shown, kSummaryWidth) +
+         (left == 0 ? "" : "and " + counted(left, "more row") + ", see the report\n");
 }
 
 std::string lines(const std::vector<Phrase>& sentences) {
@@ -26,6 +40,14 @@ std::string lines(const std::vector<Phrase>& sentences) {
 
 }  // namespace
 
+bool is_picture(const Section& section) {
+  return section.sentences.empty() && section.remarks.empty() && section.tables.empty();
+}
+
+std::string terminal_text(const Table& table, std::size_t width) {
+  return table_text(table, table.rows.size(), width);
+}
+
 std::string terminal_text(const Headline& headline) {
   return lines(headline.sentences) + lines(headline.remarks);
 }
@@ -33,12 +55,12 @@ std::string terminal_text(const Headline& headline) {
 std::string terminal_text(const std::vector<Section>& sections) {
   std::string text;
   for (const Section& section : sections) {
-    if (section.sentences.empty() && section.tables.empty()) continue;
+    if (is_picture(section)) continue;
     if (!text.empty()) text += "\n";
     text += written(section.heading, Writing::typed) + "\n";
-    text += lines(section.sentences);
+    text += lines(section.sentences) + lines(section.remarks);
     for (const Table& table : section.tables)
-      text += (&table == &section.tables.front() ? "" : "\n") + table_text(table);
+      text += (&table == &section.tables.front() ? "" : "\n") + summary_table(table);
   }
   return text;
 }

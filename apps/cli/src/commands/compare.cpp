@@ -4,16 +4,11 @@
 #include "formats.hpp"
 #include "json_parts.hpp"
 #include "output.hpp"
-#include "text_table.hpp"
 
-#include <twum/io/engineering.hpp>
-#include <twum/io/number.hpp>
-#include <twum/io/words.hpp>
 #include <twum/studies/comparison.hpp>
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <memory>
 
 namespace twum::cli {
@@ -32,46 +27,6 @@ struct CompareOptions {
   std::vector<std::string> directories;
   OutputOptions output;
 };
-
-// Differences in per cent of the first value, or in its unit if that is zero.
-std::string difference(const ComparisonRow& row, std::size_t i) {
-  const double first = row.values.front();
-  const double value = row.values[i];
-  if (std::isnan(first) || std::isnan(value)) return "";
-  if (value == first) return "same";
-  const std::string sign = value > first ? "+" : "";
-  if (first == 0) return sign + studies::engineering(value, row.unit);
-  return sign + studies::rounded_text(100 * (value - first) / std::abs(first), 3) + " %";
-}
-
-std::vector<std::string> table_row(const ComparisonRow& row) {
-  std::vector<std::string> cells{row.group, row.name};
-  const std::size_t count = std::max(row.words.size(), row.values.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool word = !row.words.empty();
-    const bool none = word ? row.words[i].empty() : std::isnan(row.values[i]);
-    cells.push_back(none   ? "-"
-                    : word ? studies::printable(row.words[i])
-                           : studies::engineering(row.values[i], row.unit, 6));
-    if (i > 0) cells.push_back(word ? "" : difference(row, i));
-  }
-  return cells;
-}
-
-std::string as_table(const Comparison& comparison, std::size_t width) {
-  TextTable table{{{"", ""}}, false, 2};
-  for (std::size_t i = 0; i < comparison.names.size(); ++i) {
-    table.rows.front().push_back(studies::printable(comparison.names[i]));
-    if (i > 0) table.rows.front().emplace_back("");
-  }
-  std::string group;
-  for (const ComparisonRow& row : comparison.rows) {
-    table.rows.push_back(table_row(row));
-    if (row.group == group) table.rows.back().front().clear();
-    group = row.group;
-  }
-  return aligned(table, width);
-}
 
 std::string as_csv(const Comparison& comparison) {
   std::vector<std::string> cells{"group", "name", "unit"};
@@ -104,10 +59,12 @@ int run_compare(const CompareOptions& options) {
     throw InputError("compare: only one directory is given; give two or more");
   const Comparison comparison = studies::compare_results(options.directories);
   Output output(options.output.path);
-  output.write(options.output.format == "json" ? as_json(comparison)
-               : options.output.format == "csv"
-                   ? as_csv(comparison)
-                   : as_table(comparison, options.output.table_width()));
+  const std::string& format = options.output.format;
+  output.write(format == "json"  ? as_json(comparison)
+               : format == "csv" ? as_csv(comparison)
+               : format == "markdown"
+                   ? studies::comparison_markdown(comparison)
+                   : studies::comparison_text(comparison, options.output.table_width()));
   output.finish();
   return kDone;
 }
@@ -120,7 +77,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("DIR", options->directories, "Directories that 'twum run' wrote")
       ->required()
       ->type_name("DIR DIR");
-  add_output_options(*command, options->output, {"table", "csv", "json"});
+  add_output_options(*command, options->output, {"table", "csv", "json", "markdown"});
   command->footer(kCompareExamples);
   command->callback([options, &action] { action = [options] { return run_compare(*options); }; });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,5 +29,12 @@ struct Comparison {
 /// different kinds have outcome, counts, versions and quantities of the same name in common.
 /// @throws InputError if there is no such directory or no summary in it; StoreError if it is damaged
 Comparison compare_results(std::span<const std::string> directories);
+
+/// The comparison as a table for a terminal, in engineering units, with differences to the first result.
+/// @param width  of the lines [characters]; 0: no limit
+std::string comparison_text(const Comparison& comparison, std::size_t width);
+
+/// The same as Markdown.
+std::string comparison_markdown(const Comparison& comparison);
 
 }  // namespace twum::studies

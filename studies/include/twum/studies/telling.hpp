@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/io/result_store.hpp>
+#include <twum/studies/study_file.hpp>
 #include <twum/studies/study_result.hpp>
 
 #include <cstddef>
@@ -12,6 +14,9 @@
 /// renderers of this: what is said, what is marked and how many digits a number has is decided here and nowhere else.
 /// @cond  Parts of the program itself, its pages and pictures; no promise to other programs.
 namespace twum::studies::telling {
+
+/// What a word means for the reader.
+enum class Tone : unsigned char { none, good, bad };
 
 /// A part of a sentence or of a cell.
 struct Part {
@@ -27,6 +32,7 @@ struct Part {
   std::string text;
   double value{std::numeric_limits<double>::quiet_NaN()};  ///< SI; NaN: there is none
   int digits{4};                                           ///< significant ones of `value`
+  Tone tone{Tone::none};                                   ///< of a word that judges
   bool strong{false};                                      ///< stands out
   bool change{false};  ///< `value` is a change: "+1.2 W", "nothing"
 
@@ -49,6 +55,8 @@ Part value_part(double value, const std::string& unit, int digits = 4);
 Part share_part(double share, int digits = 4);
 Part strong(Part part);
 Part change(Part part);
+Part good(Part part);
+Part bad(Part part);
 /// @}
 
 /// How names, limits and units are written.
@@ -61,11 +69,15 @@ enum class Writing : unsigned char {
 std::string written(const Part& part, Writing writing);
 std::string written(const Phrase& phrase, Writing writing);
 
-/// Cells under their heads. The first column names the row.
+/// Cells under their heads. The first columns name the row.
 struct Table {
   std::string name;  ///< of the file that it is saved to
   std::vector<Phrase> heads;
   std::vector<std::vector<Phrase>> rows;
+  /// How many columns, from the first, a terminal shows; the others repeat what the sentences say. 0: all.
+  std::size_t typed{0};
+  std::size_t keys{1};  ///< how many columns name the row
+  bool shaded{false};   ///< a cell is the darker, the nearer its number is to 1 or -1
 };
 
 /// Numbers of a chart.
@@ -78,16 +90,23 @@ struct Numbers {
 
 /// How a series is drawn.
 enum class Stroke : unsigned char {
-  line,     ///< with dots at its points
+  line,     ///< through its points, from left to right
+  dashes,   ///< likewise, broken
+  dots,     ///< at its points
+  steps,    ///< from left to right, level up to the next point
+  path,     ///< through its points in their order, wherever they lie
   outline,  ///< over bins: x has one more than y
-  bars,     ///< likewise; those whose middle lies outside the chart's window are of another colour
+  bars,     ///< likewise
 };
 
 /// A line or a row of marks of a chart.
 struct Series {
-  std::string name{};
+  std::string name{};  ///< in the key; empty: not there
   Stroke stroke{Stroke::line};
   Numbers x{}, y{};
+  std::string colour{"c0"};  ///< "c0" to "c6", "ink", "soft" or "faint"
+  Numbers half{};            ///< half the width of a band about a line
+  std::string band{};        ///< name of the band in the key
 };
 
 /// An axis of a chart.
@@ -99,16 +118,23 @@ struct Axis {
   double high{std::numeric_limits<double>::quiet_NaN()};
 };
 
-/// A line across a chart at a value of the horizontal axis.
+/// A line across a chart.
 struct Guide {
+  enum class Kind : unsigned char {
+    limit,     ///< at a value of the horizontal axis
+    quantile,  ///< likewise
+    level,     ///< at a value of the vertical axis
+  };
   double at;
   Phrase text{};
+  Kind kind{Kind::limit};
 };
 
 /// A point of a chart with a text beside it.
 struct Mark {
   double x, y;
   Phrase text{};
+  std::string colour{"c1"};
 };
 
 /// A picture of series over one axis.
@@ -122,6 +148,7 @@ struct Chart {
   /// Values within keep the limit; infinite ends are open.
   double least{-std::numeric_limits<double>::infinity()};
   double most{std::numeric_limits<double>::infinity()};
+  bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
 };
 
 /// A bar for each row of the section's first table. Columns by position; 0: none.
@@ -142,14 +169,17 @@ struct Bars {
 /// One thing that is said about an answer.
 struct Section {
   Phrase heading{};
-  Phrase note{};  ///< how to read what follows
-  std::vector<Chart> charts{};
+  Phrase note{};                ///< how to read what follows
+  std::vector<Chart> charts{};  ///< several are one picture
   Bars bars{};
   std::vector<Phrase> sentences{};
+  std::vector<Phrase> remarks{};  ///< one thing each, below the sentences
   std::vector<Table> tables{};
   bool folded{false};  ///< a page shows the tables when asked for
   bool wide{true};     ///< takes the whole width of a page
-  std::string hook{};  ///< what a page adds below the sentences, which needs its rows or its reader
+  /// What a page and its pictures add below the sentences, which needs a reader who points at it or chooses. Without a
+  /// heading it takes the place of the section.
+  std::string hook{};
 };
 
 /// The answer in a word and in two sentences, and how far it can be relied on.
@@ -168,8 +198,18 @@ struct Headline {
 
 Headline headline(const StudyResult& result);
 
+/// What a study was asked, and what it has computed, as far as it is known.
+struct Sources {
+  const StudyFile* study{nullptr};
+  const ResultStore* rows{nullptr};
+};
+
 /// What is said about an answer below its headline, in this order.
-std::vector<Section> sections(const StudyResult& result);
+/// @param sources  ranges, curves through measured points, and charts of rows are left out without them
+std::vector<Section> sections(const StudyResult& result, const Sources& sources = {});
+
+/// What a point is on its front, such as "largest peak power, knee"; empty for the others.
+Phrase role_phrase(const ParetoResult& answer, std::size_t point);
 
 }  // namespace twum::studies::telling
 /// @endcond

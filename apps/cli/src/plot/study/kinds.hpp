@@ -6,7 +6,7 @@
 
 #include <vector>
 
-/// The pictures of each kind of answer besides those of its sections, in the order of the page.
+/// The pictures of what a page has for a reader who points at it or chooses: curves, designs by the thousand.
 namespace twum::cli {
 
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::CurveResult& answer);
@@ -14,20 +14,12 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Swee
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::OptimizeResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::ParetoResult& answer);
 std::vector<Picture> pictures_of(const FinishedStudy& study,
-                                 const studies::UncertaintyResult& answer);
-std::vector<Picture> pictures_of(const FinishedStudy& study,
                                  const studies::CalibrateResult& answer);
-std::vector<Picture> pictures_of(const FinishedStudy& study,
-                                 const studies::FrequencyResult& answer);
 
-/// The motor of the study, for a kind that draws no motors of its own.
+/// Of other kinds a page has no more than their sections.
 template <typename Answer>
-std::vector<Picture> pictures_of(const FinishedStudy& study, const Answer& /*answer*/) {
-  std::vector<Picture> pictures;
-  std::vector<NamedMotor> motors;
-  add_motor(motors, "motor", study.result.design, {});
-  add_curve_pictures(pictures, study.title("the motor"), motors);
-  return pictures;
+std::vector<Picture> pictures_of(const FinishedStudy& /*study*/, const Answer& /*answer*/) {
+  return {};
 }
 
 }  // namespace twum::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/told_pictures.hpp"
 
+#include "plot/study/curve_pictures.hpp"
 #include "plot/style.hpp"
 
 #include <twum/studies/telling.hpp>
@@ -21,53 +22,83 @@ std::string read(const telling::Phrase& phrase) {
 constexpr double kPad = 0.09;
 
 Axis axis_of(const telling::Axis& told) {
-  const bool ends = std::isfinite(told.low);
+  const bool ends = std::isfinite(told.low) && std::isfinite(told.high);
   return {read(told.name), told.unit, told.zero, ends ? 0 : kPad, told.low, told.high};
 }
 
-Series bars_of(const telling::Chart& chart, const telling::Series& told, bool kept) {
-  Series series{
-      kept ? told.name : "breaks it", Draw::boxes, kept ? colour::kBlue : colour::kVermilion, {}};
+std::string colour_named(const std::string& name) {
+  if (name == "ink") return "#000000";
+  if (name == "soft") return "#666666";
+  if (name == "faint") return "#BBBBBB";
+  return colour_of(static_cast<std::size_t>(name.at(1) - '0'));
+}
+
+std::vector<std::vector<double>> rows_of(const telling::Series& told) {
+  std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < told.y.values.size(); ++i) {
-    const double low = told.x.values[i], high = told.x.values[i + 1], middle = (low + high) / 2;
-    if (told.y.values[i] > 0 && (middle >= chart.least && middle <= chart.most) == kept)
-      series.rows.push_back({low, high, 0, told.y.values[i]});
+    const double x = told.x.values[i], y = told.y.values[i];
+    if (told.stroke == telling::Stroke::bars) {
+      if (y > 0) rows.push_back({x, told.x.values[i + 1], 0, y});
+    } else {
+      rows.push_back({x, y});
+      if (told.stroke == telling::Stroke::outline) rows.push_back({told.x.values[i + 1], y});
+    }
   }
-  return series;
+  return rows;
 }
 
-Series outline_of(const telling::Series& told) {
-  Series series{told.name, Draw::line, "#000000", {}};
-  for (std::size_t i = 0; i < told.y.values.size(); ++i)
-    for (const std::size_t end : {i, i + 1})
-      series.rows.push_back({told.x.values[end], told.y.values[i]});
-  return series;
-}
-
-void add_series(Panel& panel, const telling::Chart& chart, const telling::Series& told) {
-  if (told.stroke == telling::Stroke::outline) return panel.series.push_back(outline_of(told));
-  if (told.stroke == telling::Stroke::bars) {
-    panel.series.push_back(bars_of(chart, told, true));
-    if (std::isfinite(chart.least) || std::isfinite(chart.most))
-      panel.series.push_back(bars_of(chart, told, false));
-    return;
+Draw draw_of(telling::Stroke stroke) {
+  using telling::Stroke;
+  switch (stroke) {
+    case Stroke::dashes: return Draw::dashes;
+    case Stroke::dots: return Draw::dots;
+    case Stroke::steps: return Draw::steps;
+    case Stroke::bars: return Draw::boxes;
+    case Stroke::line:
+    case Stroke::path:
+    case Stroke::outline: break;
   }
-  Series line{told.name, Draw::line, colour::kBlue, {}}, dots{"", Draw::dots, colour::kBlue, {}};
-  for (std::size_t i = 0; i < told.y.values.size(); ++i)
-    line.rows.push_back({told.x.values[i], told.y.values[i]});
-  dots.rows = line.rows;
-  panel.series.push_back(line);
-  panel.series.push_back(dots);
+  return Draw::line;
 }
 
-Picture chart_picture(const FinishedStudy& study, const telling::Chart& chart) {
+void add_series(Panel& panel, const telling::Series& told) {
+  const bool named =
+      std::ranges::find(panel.series, told.name, &Series::name) != panel.series.end();
+  const std::string colour = colour_named(told.colour);
+  if (!told.half.values.empty()) {
+    Series band{told.band, Draw::band, colour, {}};
+    for (std::size_t i = 0; i < told.half.values.size(); ++i)
+      if (const double half = told.half.values[i]; std::isfinite(half))
+        band.rows.push_back({told.x.values[i], told.y.values[i] - half, told.y.values[i] + half});
+    panel.series.push_back(std::move(band));
+  }
+  Series series{named ? "" : told.name, draw_of(told.stroke), colour, rows_of(told)};
+  if (!series.rows.empty()) panel.series.push_back(std::move(series));
+}
+
+Guide guide_of(const telling::Guide& told) {
+  using Kind = telling::Guide::Kind;
+  const bool limit = told.kind == Kind::limit;
+  return {told.at, told.kind != Kind::level, read(told.text),
+          limit ? colour::kVermilion : "#444444", told.kind == Kind::quantile};
+}
+
+Panel panel_of(const telling::Chart& chart) {
   Panel panel{axis_of(chart.x), axis_of(chart.y), {}};
-  for (const telling::Series& series : chart.series) add_series(panel, chart, series);
-  for (const telling::Guide& guide : chart.guides)
-    panel.guides.push_back({guide.at, true, read(guide.text), colour::kVermilion});
+  for (const telling::Series& series : chart.series) add_series(panel, series);
+  for (const telling::Guide& guide : chart.guides) panel.guides.push_back(guide_of(guide));
   for (const telling::Mark& mark : chart.marks)
     panel.marks.push_back({mark.x, mark.y, read(mark.text)});
-  return picture_of(file_word(chart.name), {study.title(read(chart.title)), {panel}});
+  panel.one_scale = chart.one_scale;
+  return panel;
+}
+
+// Several charts are panels over one axis.
+Picture chart_picture(const FinishedStudy& study, const telling::Section& section) {
+  const bool one = section.charts.size() == 1;
+  Chart chart{study.title(read(one ? section.charts.front().title : section.heading)), {}, !one};
+  for (const telling::Chart& told : section.charts) chart.panels.push_back(panel_of(told));
+  return picture_of(file_word(one ? section.charts.front().name : read(section.heading)), chart);
 }
 
 using Row = std::vector<telling::Phrase>;
@@ -111,15 +142,23 @@ Picture bars_picture(const FinishedStudy& study, const telling::Section& section
   return picture_of(file_word(bars.name), {study.title(read(bars.title)), {panel}});
 }
 
+// The curve of the study's motor.
+void add_motor_pictures(std::vector<Picture>& pictures, const FinishedStudy& study) {
+  std::vector<NamedMotor> motors;
+  add_motor(motors, "motor", study.result.design, {});
+  add_curve_pictures(pictures, study.title("the motor"), motors);
+}
+
 }  // namespace
 
 std::vector<Picture> told_pictures(const FinishedStudy& study) {
   std::vector<Picture> pictures;
-  for (const telling::Section& section : telling::sections(study.result)) {
-    for (const telling::Chart& chart : section.charts)
-      pictures.push_back(chart_picture(study, chart));
+  for (const telling::Section& section :
+       telling::sections(study.result, {&study.file, &study.store})) {
+    if (!section.charts.empty()) pictures.push_back(chart_picture(study, section));
     if (section.bars.of > 0 && !sorted_rows(section).empty())
       pictures.push_back(bars_picture(study, section));
+    if (section.hook == "motor") add_motor_pictures(pictures, study);
   }
   return pictures;
 }

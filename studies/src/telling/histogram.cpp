@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plot/study/histogram.hpp"
+#include "telling/histogram.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::studies::telling {
 namespace {
 
 // More than 60 bars cannot be distinguished, and fewer than 8 show little of the shape.
@@ -44,4 +44,4 @@ Bins counted_bins(const std::vector<double>& values, const Window& window) {
   return bins;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::studies::telling

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/studies/telling.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What is said of limits and designs by searches and fronts; internal.
+namespace twum::studies::telling {
+
+/// The value of a goal at a design; NaN if it has none.
+double goal_of(const DesignReport& report, const Goal& goal);
+
+/// "preload ≤ 300 N"
+Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit);
+
+/// What moving a limit by 1 % brings for these goals.
+/// @param standing  one that binds; see standings_json()
+Phrase holder_phrase(const Json& standing, const std::vector<Goal>& goals,
+                     const DesignReport& report);
+
+/// What holds a design, one phrase each, the most valuable first: limits, and whole numbers at an end of their range.
+std::vector<Phrase> holder_phrases(const Json& standings, const std::vector<Goal>& goals,
+                                   const DesignReport& report,
+                                   const std::vector<BoundState>& whole_ends,
+                                   const Sources& sources);
+
+/// "broken by 20 mN.m"
+Phrase state_phrase(const Json& standing);
+
+/// What each limit is doing, and what moving it by 1 % changes.
+Table limits_table(const Json& standings, const std::vector<Goal>& goals);
+
+/// The range of a variable of the study; nothing for others.
+std::optional<std::pair<double, double>> range_of(const Sources& sources, const std::string& name);
+
+/// Whole numbers of a design that are at an end of their range.
+std::vector<BoundState> whole_ends_of(const DesignReport& report, const Sources& sources);
+
+/// Designs side by side: what was chosen, parameters, and their ranges.
+Table design_table(const std::string& name, const std::string& title, const DesignReport& report,
+                   const std::vector<NamedValue>& before, const Sources& sources);
+
+/// Metrics side by side.
+Table metrics_table(const std::string& name, const std::string& title, const DesignReport& report,
+                    const std::vector<NamedValue>& before);
+
+/// What the word "optimal" rests on.
+Phrase certificate_phrase(const DesignReport& report, const std::string& goal_unit);
+
+/// What could be loosened where no design keeps every limit; none if there is nothing.
+std::vector<Section> relaxation_sections(const Explanation& explanation);
+
+/// Which of the stored rows keep every limit whose metric is among their columns.
+std::vector<bool> rows_that_keep(const ResultStore& rows, const Json& standings);
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/robust_answer.hpp"
+#include "results/standings.hpp"
+#include "telling/goal_parts.hpp"
+#include "telling/limit_parts.hpp"
+#include "telling/tellings.hpp"
+
+#include <twum/core/parameters.hpp>
+#include <twum/io/words.hpp>
+#include <twum/optim/solvers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies::telling {
+namespace {
+
+Section curves(const OptimizeResult& answer) {
+  Section section{{answer.found ? "Torque: before and after" : "Torque of the motor as it was"}};
+  section.hook = "torque";
+  return section;
+}
+
+Section limits(const OptimizeResult& answer, const Json& standings, const Sources& sources) {
+  Section section{{"What stops it"},
+                  {"A limit that binds holds the design back; loosened by 1 % it changes the ",
+                   name_part(answer.goal.metric),
+                   " as said, to first order, with everything else chosen anew. The others have "
+                   "room."}};
+  section.remarks =
+      holder_phrases(standings, {answer.goal}, answer.best, answer.whole_ends, sources);
+  section.tables = {limits_table(standings, {answer.goal})};
+  return section;
+}
+
+Section design(const OptimizeResult& answer, const Sources& sources) {
+  Section section{{"The design"},
+                  {answer.explanation.empty() ? "What the search was free to change."
+                                              : "The design that breaks the limits least."}};
+  section.wide = false;
+  section.hook = "motor file";
+  section.tables = {design_table("design", "best", answer.best, answer.before_design, sources)};
+  return section;
+}
+
+Section metrics(const OptimizeResult& answer) {
+  Section section{{"Metrics"}, efficiency_note(answer.best.metrics)};
+  section.wide = false;
+  section.tables = {metrics_table("metrics", "best", answer.best, answer.before_metrics)};
+  return section;
+}
+
+using Stage = optim::StageReport;
+
+// The runs with as many slices as the last one, which found the answer; values of others differ by their slices' error.
+struct Runs {
+  std::vector<const Stage*> comparable;
+  std::size_t before{0};
+  int slices_before{0};
+};
+
+Runs runs_of(const OptimizeResult& answer) {
+  Runs runs;
+  const auto slices = [&](std::size_t i) {
+    return answer.slices_of_stages.empty() ? 0 : answer.slices_of_stages[i];
+  };
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < answer.stages.size(); ++i)
+    if (!answer.stages[i].solver.empty()) last = i;
+  for (std::size_t i = 0; i < answer.stages.size(); ++i) {
+    if (answer.stages[i].solver.empty()) continue;
+    if (slices(i) == slices(last))
+      runs.comparable.push_back(&answer.stages[i]);
+    else
+      ++runs.before, runs.slices_before = slices(i);
+  }
+  return runs;
+}
+
+bool is_global(const Stage* run) {
+  const auto solvers = optim::solvers();
+  const auto known = std::ranges::find(solvers, run->solver, &optim::SolverInfo::name);
+  return known != solvers.end() && known->global;
+}
+
+// Whole numbers and choices, which each run held.
+std::vector<Part> held_parts(const OptimizeResult& answer) {
+  std::vector<Part> held;
+  for (const ChosenSet& one : answer.best.choice) held.push_back(name_part(one.choice));
+  for (const NamedValue& value : answer.best.design)
+    if (const auto p = find_parameter(value.name); p && info(*p).integer)
+      held.push_back(name_part(value.name));
+  return held;
+}
+
+// How many runs came to the best value.
+std::string runs_words(const OptimizeResult& answer, const Runs& runs, bool holding) {
+  const std::string alike = answer.stages.size() > 1 ? " with the slices of the answer" : "";
+  if (runs.comparable.size() == 1) return "the one run of a solver" + alike + " ended there";
+  constexpr double kSame = 1e-6;
+  const double best = goal_of(answer.best, answer.goal);
+  const auto same = std::ranges::count_if(runs.comparable, [&](const Stage* run) {
+    return run->feasible && std::fabs(run->objective - best) <= kSame * std::fabs(best);
+  });
+  const auto wide = std::ranges::count_if(runs.comparable, is_global);
+  const std::string choosing = !holding                     ? ""
+                               : answer.best.choice.empty() ? " and whole numbers"
+                                                            : " and choices";
+  return std::to_string(same) + " of " + std::to_string(runs.comparable.size()) +
+         " runs of solvers from different starts" + choosing +
+         " ended at this value, none within the limits at a better one" +
+         (wide == 0   ? ""
+          : wide == 1 ? ", one of them a global search"
+                      : ", " + std::to_string(wide) + " of them a global search");
+}
+
+// How far "local" can be trusted.
+std::vector<Phrase> starts_phrase(const OptimizeResult& answer) {
+  const Runs runs = runs_of(answer);
+  if (runs.comparable.empty() || std::isnan(goal_of(answer.best, answer.goal))) return {};
+  const std::vector<Part> held = held_parts(answer);
+  Phrase phrase{"It is a local optimum: " + runs_words(answer, runs, !held.empty())};
+  if (runs.before > 0)
+    append(phrase, {"; " + counted(runs.before, "run") + " with ", name_part("radial_slices"), " ",
+                    named_part("radial_slices", runs.slices_before, "1"),
+                    " came first to find where to begin, and their values are not comparable with "
+                    "it"});
+  append(phrase, {". A better design far from all of them cannot be ruled out."});
+  if (held.empty()) return {phrase};
+  append(phrase, {" Held in each run: "});
+  append(phrase, listed(held));
+  append(phrase, {"; the limits above are worth so much at what was found for ",
+                  held.size() > 1 ? "them." : "it."});
+  return {phrase};
+}
+
+// The result of the search for a better local optimum, which is not a proof.
+std::vector<Phrase> scan_phrase(const OptimizeResult& answer) {
+  const optim::Scan& scan = answer.scan;
+  if (scan.designs == 0) return {};
+  const std::string sample = counted(scan.designs, "design") + " sampled over the whole range" +
+                             (answer.best.constraints.empty()
+                                  ? ""
+                                  : " (" + std::to_string(scan.feasible) + " keep the limits)");
+  if (scan.better == 0) return {{"None of " + sample + " is better."}};
+  const std::string some = std::to_string(scan.better) + " of " + sample;
+  if (scan.replaced)
+    return {{some + " were better than the ", goal_part(answer.goal, scan.before),
+             " that the searches had ended at; a search from the best of them found this design."}};
+  return {{some + " are better, but the search from the best of them found no answer; raise "
+                  "max_evaluations, or start from that row of results.csv."}};
+}
+
+Phrase finding_phrase(const optim::Finding& finding) {
+  const std::vector<Part> names = name_parts(finding.names);
+  Phrase phrase{finding.kind == optim::Degeneracy::flat_direction ? "A valley: " : finding.text};
+  if (finding.kind == optim::Degeneracy::flat_direction) {
+    append(phrase, listed(names));
+    append(phrase, {std::string(names.size() > 1 ? " can change together" : " can change") +
+                    " without changing the answer; this design is one of many."});
+    return phrase;
+  }
+  if (!names.empty()) {
+    append(phrase, {": "});
+    append(phrase, listed(names));
+  }
+  append(phrase, {"."});
+  return phrase;
+}
+
+// How sure it is that there is nothing better.
+Section trust(const OptimizeResult& answer) {
+  Section section{{"How sure it is"}};
+  std::vector<Phrase>& list = section.sentences;
+  const auto add = [&](std::vector<Phrase> more) {
+    std::ranges::move(more, std::back_inserter(list));
+  };
+  list.push_back(certificate_phrase(answer.best, is_share(answer.goal) ? "" : answer.goal.unit));
+  if (answer.best.certificate.passed && !answer.robust) add(starts_phrase(answer));
+  add(scan_phrase(answer));
+  if (!answer.without_influence.empty()) {
+    list.push_back({"Without influence at this design: "});
+    append(list.back(), listed(name_parts(answer.without_influence)));
+    append(list.back(), {"."});
+  }
+  for (const optim::Finding& finding : answer.best.certificate.findings)
+    list.push_back(finding_phrase(finding));
+  return section;
+}
+
+// The range in which the search went on: that of the motors that keep the limits, the worst tenth of them aside, or
+// of the middle half of all if fewer than ten keep them; with the best so far.
+std::pair<double, double> search_range(const std::vector<double>& values,
+                                       const std::vector<bool>& keeps,
+                                       const std::vector<double>& records, bool maximize) {
+  constexpr std::size_t kFew = 10;
+  std::vector<double> kept, all, ends = records;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    all.push_back(values[i]);
+    if (keeps[i]) kept.push_back(values[i]);
+  }
+  std::ranges::sort(all);
+  std::ranges::sort(kept);
+  if (kept.size() < kFew) {
+    ends.insert(ends.end(), kept.begin(), kept.end());
+    ends.insert(ends.end(), {all[all.size() / 4], all[3 * all.size() / 4]});
+  } else {
+    const std::size_t tenth = kept.size() / 10;
+    ends.push_back(kept[maximize ? tenth : kept.size() - 1 - tenth]);
+  }
+  const auto [low, high] = std::ranges::minmax_element(ends);
+  const double pad = 0.09 * (*high > *low ? *high - *low : std::fabs(*high));
+  return {*low - pad, *high + pad};
+}
+
+// The motors in the order in which they were computed: those that keep the limits, those that do not, and the best so far.
+struct History {
+  Numbers inside_x, inside_y, outside_x, outside_y, best_x, best_y;
+  std::size_t beyond{0};  // of the axis, at whose edge they stand
+};
+
+History history_of(const std::vector<double>& values, const std::vector<bool>& keeps,
+                   const Goal& goal, Axis& axis) {
+  History history;
+  double best = std::nan("");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool worse = goal.maximize ? values[i] <= best : values[i] >= best;
+    if (!keeps[i] || !std::isfinite(values[i]) || worse) continue;
+    best = values[i];
+    history.best_x.values.push_back(static_cast<double>(i + 1));
+    history.best_y.values.push_back(best);
+  }
+  if (std::isfinite(best)) {
+    history.best_x.values.push_back(static_cast<double>(values.size()));
+    history.best_y.values.push_back(best);
+  }
+  std::tie(axis.low, axis.high) = search_range(values, keeps, history.best_y.values, goal.maximize);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    history.beyond += values[i] < axis.low || values[i] > axis.high ? 1 : 0;
+    (keeps[i] ? history.inside_x : history.outside_x).values.push_back(static_cast<double>(i + 1));
+    (keeps[i] ? history.inside_y : history.outside_y)
+        .values.push_back(std::clamp(values[i], axis.low, axis.high));
+  }
+  return history;
+}
+
+std::vector<Section> search(const OptimizeResult& answer, const Json& standings,
+                            const ResultStore& rows) {
+  const std::vector<double> values = column_values(rows, answer.goal.metric);
+  if (values.size() < 2 || std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
+    return {};
+  Chart chart{"search",
+              {"how the search went"},
+              {{"evaluation"}, "1", false, 1, static_cast<double>(values.size())},
+              goal_axis(answer.goal)};
+  const History history = history_of(values, rows_that_keep(rows, standings), answer.goal, chart.y);
+  // Limits hold without tolerances here, so the best of these motors is not the best under tolerances.
+  const std::string kept =
+      answer.robust ? "keeps every limit without tolerances" : "keeps every limit";
+  chart.series = {{"breaks a limit", Stroke::dots, history.outside_x, history.outside_y, "faint"},
+                  {kept, Stroke::dots, history.inside_x, history.inside_y, "c2"}};
+  if (!answer.robust)
+    chart.series.push_back({"best so far", Stroke::steps, history.best_x, history.best_y});
+  Section section{{"How the search went"}, {"The motors that were computed, in order."}};
+  if (const std::string count = std::to_string(history.beyond); history.beyond > 0) {
+    append(section.note, {" " + count + " of them lie beyond the axis and stand at its edge."});
+    append(chart.title, {"; " + count + " beyond the axis stand at its edge"});
+  }
+  section.charts = {chart};
+  return {section};
+}
+
+std::vector<Section> runs(const OptimizeResult& answer) {
+  if (answer.stages.empty()) return {};
+  Section section{{"The runs of the solvers"},
+                  {"Each run of a solver, and the code that it returned."}};
+  const bool sliced = !answer.slices_of_stages.empty();
+  Table table{"starts",
+              {{"run"},
+               {"solver"},
+               {"return code"},
+               {name_part(answer.goal.metric)},
+               {"keeps limits"},
+               {"evaluations"}},
+              {}};
+  table.typed = table.heads.size();
+  if (sliced) table.heads.push_back({name_part("radial_slices")});
+  for (std::size_t i = 0; i < answer.stages.size(); ++i) {
+    const Stage& run = answer.stages[i];
+    table.rows.push_back({{std::to_string(run.stage)},
+                          {run.solver.empty() ? "-" : run.solver},
+                          {run.word.empty() ? "-" : run.word},
+                          {goal_part(answer.goal, run.objective)},
+                          {run.feasible ? good("yes") : bad("no")},
+                          {count_part(run.evaluations)}});
+    if (sliced)
+      table.rows.back().push_back({named_part("radial_slices", answer.slices_of_stages[i], "1")});
+  }
+  if (!answer.solver.empty())
+    section.sentences = {{"The answer was found by " + answer.solver + "."}};
+  section.tables = {table};
+  return {section};
+}
+
+}  // namespace
+
+std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& sources) {
+  if (!answer.found) return {curves(answer), hooked("others")};
+  const Json standings = standings_json(answer.best, {answer.goal});
+  std::vector<Section> list{curves(answer)};
+  const auto add = [&](std::vector<Section> more) {
+    std::ranges::move(more, std::back_inserter(list));
+  };
+  add(relaxation_sections(answer.explanation));
+  if (!standings.empty()) list.push_back(limits(answer, standings, sources));
+  if (answer.robust) add(robust_sections(*answer.robust, answer.goal));
+  add({design(answer, sources), metrics(answer)});
+  if (answer.explanation.empty()) {
+    list.push_back(trust(answer));
+    add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved));
+  }
+  list.push_back(hooked("others"));
+  if (sources.rows != nullptr) add(search(answer, standings, *sources.rows));
+  add(runs(answer));
+  return list;
+}
+
+}  // namespace twum::studies::telling
