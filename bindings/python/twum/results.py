@@ -81,7 +81,8 @@ class Fields:
         """Pressure, traction and velocities over the phase, with matplotlib; returns its two axes."""
         from . import plot
 
-        return plot.fields(self, axes)
+        both: tuple[Axes, Axes] = plot.fields(self, axes)
+        return both
 
 
 @dataclass(frozen=True, eq=False)
