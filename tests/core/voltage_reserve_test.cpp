@@ -86,7 +86,7 @@ TEST_CASE("a wave runs at a speed from the least voltage on, at rest from the ho
   }
 }
 
-TEST_CASE("derivatives of the voltage reserve agree with differences (Y5.4)",
+TEST_CASE("derivatives of the voltage reserve agree with differences (Y5.5)",
           "[core][held][derivative]") {
   const MotorDesign design = test::driven_motor_with_layer();
   const double largest = largest_held_torque(design);
