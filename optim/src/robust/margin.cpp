@@ -89,6 +89,7 @@ Problem nominal_problem(const RobustProblem& problem) {
   nominal.evaluate = [problem](std::span<const double> x, bool gradient) {
     Evaluation answer = problem.design.evaluate(x, gradient);
     if (!answer.ok()) return answer;
+    if (!gradient) answer.jacobian.clear();  // an evaluator may give it unasked
     std::vector<double> built(x.begin(), x.end());
     for (const RandomInput& input : problem.inputs)
       if (!input.variable) built.push_back(input.value);
