@@ -99,6 +99,22 @@ export function drawLabel(u, text, x, y, taken = [], points = []) {
   ctx.fillText(text, place.left, place.y);
 }
 
+/** A text in the middle of a line, which is left out behind it. */
+function drawOnLine(u, text, x, y, taken) {
+  const ratio = devicePixelRatio;
+  const ctx = u.ctx;
+  ctx.font = 11 * ratio + letters;
+  const half = ctx.measureText(text).width / 2 + 2 * ratio;
+  const middle = Math.min(Math.max(x, u.bbox.left + half), u.bbox.left + u.bbox.width - half);
+  taken.push({left: middle - half, right: middle + half, y});
+  ctx.fillStyle = colour('card');
+  ctx.fillRect(middle - half, y - 7 * ratio, 2 * half, 14 * ratio);
+  ctx.textAlign = 'center';
+  ctx.textBaseline = 'middle';
+  ctx.fillStyle = colour('ink');
+  ctx.fillText(text, middle, y);
+}
+
 /** What the lines and points of a plot cover, at most some thousand places of it [canvas pixels]. */
 export function drawnPlaces(u) {
   const [x, ...series] = u.data;
@@ -138,6 +154,10 @@ export function drawMarks(u, marks, taken = [], others = []) {
   for (const mark of there) {
     const x = u.valToPos(mark.x, 'x', true);
     const y = u.valToPos(mark.y, 'y', true);
+    if (mark.dot === false) {
+      drawOnLine(u, mark.text, x, y, taken);
+      continue;
+    }
     ctx.beginPath();
     ctx.arc(x, y, (mark.small ? 3 : 4) * ratio, 0, 2 * Math.PI);
     ctx.fillStyle = mark.colour ? colour(mark.colour) : colour('ink');

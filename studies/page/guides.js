@@ -39,10 +39,13 @@ export function hatch(u, from, to) {
 }
 
 /** Lines through points that lie anywhere. */
-export function drawPath(u, {x, y, colour: name}) {
+export function drawPath(u, {x, y, colour: name, stroke}) {
   u.ctx.save();
+  u.ctx.beginPath();
+  u.ctx.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+  u.ctx.clip();
   u.ctx.strokeStyle = colour(name);
-  u.ctx.lineWidth = 2 * devicePixelRatio;
+  u.ctx.lineWidth = (stroke === 'contour' ? 0.8 : 2) * devicePixelRatio;
   u.ctx.beginPath();
   x.forEach((v, k) => u.ctx.lineTo(u.valToPos(v, 'x', true), u.valToPos(y[k], 'y', true)));
   u.ctx.stroke();

@@ -46,7 +46,7 @@ const hooks = {
 const background = [notesCard, failuresCard, motorCard, glossaryCard, provenanceCard];
 
 /** What a row of the results is: a motor, or a point of a motor's curve. */
-function rowWord() { return summary.kind === 'curve' || summary.kind === 'frequency' ? 'points' : 'motors'; }
+function rowWord() { return data.headline.rows; }
 
 /** Said where the results are too many for a page. */
 function partNote() {
@@ -60,7 +60,7 @@ function facts() {
   const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
   const notes = (summary.model_notes || []).length;
   const list = [[rowWord() + ' computed', String(summary.evaluations)]];
-  if (failed) list.push(['of these failed or incomplete', String(failed)]);
+  if (failed) list.push(['of these ' + data.headline.unanswered, String(failed)]);
   const fact = ([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value));
   const limits = el('a', {href: '#notes'}, notes + (notes === 1 ? ' note' : ' notes') + ' on the limits of the model');
   return el('div', {class: 'facts'}, list.map(fact), notes ? limits : null);
@@ -92,7 +92,7 @@ function failuresCard() {
       (r) =>
           [words(r.reason), words(data.failures[r.reason]), {text: String(r.count), value: r.count},
            words(where(r).join(', '))]);
-  card(capital(rowWord()) + ' that failed or are incomplete', note, 'wide')
+  card(capital(rowWord()) + ': ' + data.headline.unanswered, note, 'wide')
       .append(table('failures', ['reason', 'meaning', 'count', 'where'], lines));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws what the program says about an answer: sections of sentences, tables and charts. It decides nothing.
 
+import {bandLegend, drawBands} from './bands.js';
 import {logRange, paddedRange, scaled} from './chart.js';
 import {data, summary} from './data.js';
 import {bold, bullets, card, colour, el, sentence, svg} from './dom.js';
@@ -156,7 +157,8 @@ function readingOf(chart, grid, list, shown, divisors, i) {
  */
 export function draw(node, chart, more = {}) {
   const all = seriesOfChart(chart);
-  const [paths, list] = [all.filter((s) => s.stroke === 'path'), all.filter((s) => s.stroke !== 'path')];
+  const isPath = ({stroke}) => stroke === 'path' || stroke === 'contour';
+  const [paths, list] = [all.filter(isPath), all.filter((s) => !isPath(s))];
   const grid = gridOf(list);
   const [across, up] = [unitOfAxis(chart.x, all.map((s) => s.x)), unitOfAxis(chart.y, all.map((s) => s.y))];
   const lines = paths.map((s) => ({...s, x: scaled(s.x, across.divisor), y: scaled(s.y, up.divisor)}));
@@ -176,6 +178,7 @@ export function draw(node, chart, more = {}) {
   const guides = chart.guides.filter((g) => g.kind !== 'level').map((g) => ({...g, at: g.at / across.divisor}));
   const levels = chart.guides.filter((g) => g.kind === 'level').map((g) => g.at / up.divisor);
   const divisors = {x: across.divisor, y: up.divisor};
+  if (chart.field) node.append(bandLegend(chart.field));
   return figure(chart.round ? node.appendChild(el('div', {class: 'round'})) : node, x, series, {
     name: chart.name,
     title: chart.title,
@@ -188,6 +191,7 @@ export function draw(node, chart, more = {}) {
     ...more,
     height: chart.round ? 380 : more.height,
     ground: (u) => {
+      if (chart.field) drawBands(u, chart.field, divisors);
       levels.forEach((v) => drawLevel(u, v));
       if (chart.least !== null) hatch(u, ranges[0][0], chart.least / across.divisor);
       if (chart.most !== null) hatch(u, chart.most / across.divisor, ranges[0][1]);

@@ -27,7 +27,7 @@ inline std::vector<MetricRequest> all_requests(const Motor& motor) {
   std::vector<MetricRequest> requests;
   for (const MetricInfo& row : metric_table()) {
     if (is_of_envelope(row.metric)) continue;
-    const bool both = row.argument == Argument::speed_or_torque;
+    const bool both = row.argument == Argument::speed_or_torque || row.argument == Argument::either;
     if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
     if (row.argument == Argument::speed || both) {
       requests.push_back({row.metric, Argument::speed, 0.8 * motor.crest_speed()});

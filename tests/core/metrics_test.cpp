@@ -229,9 +229,10 @@ void expect_same_alone(const Motor& motor) {
   std::vector<MetricRequest> requests;
   for (const MetricInfo& row : metric_table()) {
     if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
-    if (row.argument == Argument::speed || row.argument == Argument::speed_or_torque)
+    const bool each = row.argument == Argument::speed_or_torque || row.argument == Argument::either;
+    if (row.argument == Argument::speed || each)
       requests.push_back({row.metric, Argument::speed, 0.9 * motor.crest_speed()});
-    if (row.argument == Argument::torque || row.argument == Argument::speed_or_torque)
+    if (row.argument == Argument::torque || each)
       requests.push_back({row.metric, Argument::torque, 0.35 * motor.holding_torque()});
   }
   const auto values = evaluate(motor, requests);

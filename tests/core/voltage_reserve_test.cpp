@@ -114,6 +114,26 @@ TEST_CASE("derivatives of the voltage reserve agree with differences (Y5.5)",
   }
 }
 
+TEST_CASE("where the least voltage is not known, there is no reserve", "[core][held][edge]") {
+  const MotorDesign drive = test::driven_motor_with_layer();
+  // A load that drives: the speeds up to no-load carry none, as speed_at says.
+  CHECK(evaluate(Motor(drive), reserve_at_torque(-0.3)).status == MetricStatus::unreachable);
+  CHECK(evaluate(Motor(drive), {Metric::speed_at, Argument::torque, -0.3}).status ==
+        MetricStatus::unreachable);
+  // With mu_0 > mu the wave ends at a jump of H.
+  const MotorDesign sticking = with(drive, Parameter::static_friction, 0.32);
+  CHECK(evaluate(Motor(sticking), reserve_at_speed(5)).status == MetricStatus::undefined);
+  CHECK(evaluate(Motor(sticking), reserve_at_torque(0.4)).status == MetricStatus::ok);
+  // Far above all speeds the wave at the minimum is unstable, as torque_at says.
+  CHECK(evaluate(Motor(drive), reserve_at_speed(1e8)).status == MetricStatus::unstable_amplitude);
+  CHECK(evaluate(Motor(drive), {Metric::torque_at, Argument::speed, 1e8}).status ==
+        MetricStatus::unstable_amplitude);
+  // No force, no wave; no voltage, no reserve at all.
+  CHECK(evaluate(Motor(with(drive, Parameter::preload, 0)), reserve_at_torque(0.1)).status ==
+        MetricStatus::torque_out_of_reach);
+  CHECK(evaluate(Motor(with(drive, Parameter::voltage, 0)), reserve_at_torque(0.1)).value == -1);
+}
+
 TEST_CASE("a reserve of the voltage needs a voltage", "[core][held][error]") {
   CHECK(evaluate(Motor(test::ring_motor()), reserve_at_torque(0.1)).status ==
         MetricStatus::undefined);

@@ -27,7 +27,7 @@ class Order(Page):
     """The answer, the picture, then the rest; at every width."""
 
     STUDIES = ("optimize-ring-60", "size-05Nm-100rpm", "pareto-power-wear", "sweep-sobol", "sweep-grid", "paper-figure-4", "tolerances", "calibrate",
-               "sensitivity-morris", "frequency-voltages", "robust-ring-60")
+               "sensitivity-morris", "frequency-voltages", "efficiency-map", "robust-ring-60")
 
     def test_a_picture_follows_the_verdict_and_nothing_is_empty_or_cut(self):
         for study in self.STUDIES:

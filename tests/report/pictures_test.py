@@ -6,7 +6,7 @@ import page
 from page import twum
 
 STUDIES = ("optimize-ring-60", "size-driven", "pareto-torque-speed", "sweep-grid", "sweep-latin-hypercube", "sensitivity-sobol",
-           "sensitivity-morris", "sensitivity-local", "tolerances", "calibrate", "paper-figure-4", "frequency-voltages", "robust-ring-60")
+           "sensitivity-morris", "sensitivity-local", "tolerances", "calibrate", "paper-figure-4", "frequency-voltages", "efficiency-map", "robust-ring-60")
 BOXES = """[...document.querySelectorAll('text')].filter((t) => t.textContent.trim()).map((t) => { const b = t.getBoundingClientRect();
     return [t.textContent, b.left, b.right, b.top, b.bottom]; })"""
 

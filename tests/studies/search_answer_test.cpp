@@ -101,7 +101,7 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
       "\n"
       "How sure it is\n"
       "Certified by exact derivatives, independent of the solver: no small change within the "
-      "limits improves it (what is left of the slope, relative to the slope: 1.2e-07; a step "
+      "limits improves it (the slope is zero up to this share of its terms: 1.2e-07; a step "
       "could gain at most 3 nW).\n"
       "It is a local optimum: 2 of 3 runs of solvers from different starts ended at this value, "
       "none within the limits at a better one. A better design far from all of them cannot be "
@@ -109,7 +109,7 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
       "\n"
       "The runs of the solvers\n"
       "The answer was found by nlopt:slsqp.\n"
-      "run | solver | return code | peak_power | keeps limits | evaluations\n"
+      "stage | solver | return code | peak_power | keeps limits | evaluations\n"
       "0 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 30\n"
       "1 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 31\n"
       "2 | ipopt | Solve_Succeeded | 4.5 W | yes | 40\n"
@@ -150,9 +150,9 @@ TEST_CASE("a check that holds whole numbers as they are says so", "[studies][opt
   CHECK_THAT(
       sections_text(result),
       Contains("independent of the solver, with wavelengths held: no small change within the "
-               "limits improves it (what") &&
-          Contains("cannot be ruled out. Held in each run: wavelengths; the limits above are "
-                   "worth so much at what was found for it.\n"));
+               "limits improves it (the slope") &&
+          Contains("cannot be ruled out. Each run keeps wavelengths as it is; what the limits "
+                   "above are worth is for the value found.\n"));
   result.best.certificate.second_order = false;
   CHECK_THAT(sections_text(result), Contains("within the limits improves it to first order ("));
   result.whole_ends = {{{"wavelengths", "1"}, true, 9}};

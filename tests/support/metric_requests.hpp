@@ -22,7 +22,7 @@ inline std::vector<MetricRequest> every_metric(double speed, double torque) {
   std::vector<MetricRequest> list;
   for (const MetricInfo& row : metric_table()) {
     if (is_of_envelope(row.metric)) continue;
-    const bool both = row.argument == Argument::speed_or_torque;
+    const bool both = row.argument == Argument::speed_or_torque || row.argument == Argument::either;
     if (row.argument == Argument::none) list.push_back({row.metric});
     if (both || row.argument == Argument::speed)
       list.push_back({row.metric, Argument::speed, speed});

@@ -152,7 +152,8 @@ void add_point_metric(Class& motor, const MetricInfo& row) {
   const bool torque_only = row.argument == Argument::torque;
   const std::string doc_of_array =
       "An array of numbers gives an array, NaN where there is no answer.";
-  if (row.argument != Argument::speed_or_torque) {
+  const bool follows = row.argument == Argument::speed_or_torque;
+  if (!follows && row.argument != Argument::either) {
     const std::string what = torque_only ? "torque" : "speed";
     motor.def(
         name.c_str(),
@@ -167,18 +168,21 @@ void add_point_metric(Class& motor, const MetricInfo& row) {
   }
   motor.def(
       name.c_str(),
-      [&row](const PyMotor& self, const py::object& speed, const py::object& torque) {
-        if (speed.is_none() && torque.is_none())
-          throw InputError(std::string(row.name) + ": give a speed, a torque, or both");
-        if (!speed.is_none() && !torque.is_none()) return held_metric(self, row, torque, speed);
+      [&row, follows](const PyMotor& self, const py::object& speed, const py::object& torque) {
+        const bool neither = speed.is_none() && torque.is_none(),
+                   both = !speed.is_none() && !torque.is_none();
+        if (neither || (both && !follows))
+          throw InputError(std::string(row.name) + (follows
+                                                        ? ": give a speed, a torque, or both"
+                                                        : ": give a speed or a torque, not both"));
+        if (both) return held_metric(self, row, torque, speed);
         return speed.is_none() ? point_metric(self, row, Argument::torque, torque)
                                : point_metric(self, row, Argument::speed, speed);
       },
       py::arg("speed") = py::none(), py::kw_only(), py::arg("torque") = py::none(),
       (name + "(self, speed=None, *, torque=None)\n--\n\n" + metric_doc(row) +
-       "\n\nAt a speed [rad/s] or a torque [N.m]; of a text the unit tells which. At both the "
-       "drive follows. " +
-       doc_of_array)
+       "\n\nAt a speed [rad/s] or a torque [N.m]; of a text the unit tells which. " +
+       (follows ? "At both the drive follows. " : "") + doc_of_array)
           .c_str());
 }
 

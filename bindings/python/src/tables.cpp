@@ -21,6 +21,7 @@ const char* takes(Argument argument) {
     case Argument::torque: return "torque";
     case Argument::both: return "torque and speed";
     case Argument::speed_or_torque: return "speed or torque";
+    case Argument::either: return "speed or torque, not both";
     default: return "";
   }
 }

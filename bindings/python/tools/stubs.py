@@ -15,13 +15,14 @@ BEGIN, END = "    # from the tables: begin\n", "    # from the tables: end\n"
 
 def point_metric(row):
     name = row["name"]
-    if row["takes"] == "speed or torque":
+    follows = row["takes"] == "speed or torque"
+    if follows or row["takes"] == "speed or torque, not both":
         return "".join(f"    @overload\n    def {name}({parameters}) -> {result}: ...\n" for parameters, result in (
             ("self, speed: _Quantity, *, torque: None = ...", "float"),
             ("self, speed: _Numbers, *, torque: None = ...", "NDArray[np.float64]"),
             ("self, speed: None = ..., *, torque: _Quantity", "float"),
             ("self, speed: None = ..., *, torque: _Numbers", "NDArray[np.float64]"),
-            ("self, speed: _Quantity, *, torque: _Quantity", "float")))
+            *([("self, speed: _Quantity, *, torque: _Quantity", "float")] if follows else [])))
     if row["takes"] == "torque and speed":
         return f"    def {name}(self, torque: _Quantity, speed: _Quantity) -> float: ...\n"
     return (f"    @overload\n    def {name}(self, {row['takes']}: _Quantity) -> float: ...\n"

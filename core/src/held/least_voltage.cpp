@@ -102,7 +102,11 @@ LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed) {
   std::optional<ForceExtremum> lowest;  // of the waves beyond the last maximum
   for (const ForceExtremum& one : ForceLine(waves, speed).extrema())
     if (!one.maximum) lowest = one;
-  if (!lowest) return {without_wave(HeldStatus::ok), speed};
+  // With jumps of H (mu_0 > mu) the wave may end at one of them, which need not be a minimum.
+  if (!lowest || waves.has_static_excess()) return {without_wave(HeldStatus::ok), speed};
+  // At the fold the determinant is zero, so that the trace decides (D2.6).
+  if (!(waves.stability(waves.in_amplitude(lowest->amplitude, speed)).trace < 0))
+    return {without_wave(HeldStatus::unstable_amplitude), speed};
   HeldPoint wave = without_wave(HeldStatus::ok);
   wave.amplitude = lowest->amplitude;
   wave.frequency = drive_frequency(design);

@@ -14,8 +14,8 @@ struct LeastVoltage {
 /// With which the motor carries a torque at any speed: the minimum over the speed of the voltage that holds it there.
 LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque);
 
-/// With which a wave runs at a speed: the minimum of H over the amplitude beyond its last maximum. NaN where H has none: each voltage
-/// has one wave.
+/// With which a wave runs at a speed: the minimum of H over the amplitude beyond its last maximum. NaN where H has none,
+/// so that each voltage has one wave; with mu_0 > mu, where the wave may end at a jump; and where it is unstable.
 LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed);
 
 }  // namespace twum::core

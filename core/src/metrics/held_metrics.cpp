@@ -33,7 +33,6 @@ MetricStatus status_of(HeldStatus status) {
 // A metric without argument has no held value, nor has what is given: the torque or the speed.
 bool has_held_value(const MetricRequest& request) {
   if (request.argument != Argument::both) return true;
-  if (request.metric == Metric::voltage_reserve_at) return false;  // its drive does not follow
   const Argument argument = info(request.metric).argument;
   return argument == Argument::both || argument == Argument::speed_or_torque;
 }
@@ -136,7 +135,9 @@ double HeldMetrics::value(const MetricRequest& request) {
     }
     case Metric::voltage_reserve_at: {
       if (!design_.stator.voltage) throw SearchFailure{MetricStatus::undefined};
-      const HeldPoint least = least_voltage(request).wave;
+      if (request.argument == Argument::torque && request.at < 0)  // as for speed_at
+        throw SearchFailure{MetricStatus::unreachable};
+      const HeldPoint& least = least_voltage(request).wave;
       if (!(least.voltage > 0))  // or there is no least one
         throw SearchFailure{least.status == HeldStatus::ok ? MetricStatus::undefined
                                                            : status_of(least.status)};
@@ -245,10 +246,14 @@ MetricDerivative HeldMetrics::of_envelope(const MetricRequest& request, const Me
   return result;
 }
 
-LeastVoltage HeldMetrics::least_voltage(const MetricRequest& request) {
-  return request.argument == Argument::torque
-             ? least_voltage_at_torque(design_, envelope().with_wave(request.at))
-             : least_voltage_at_speed(design_, request.at);
+const LeastVoltage& HeldMetrics::least_voltage(const MetricRequest& request) {
+  const bool at_torque = request.argument == Argument::torque;
+  for (const auto& [of_torque, at, known] : least_)
+    if (of_torque == at_torque && at == request.at) return known;
+  least_.push_back({at_torque, request.at,
+                    at_torque ? least_voltage_at_torque(design_, envelope().with_wave(request.at))
+                              : least_voltage_at_speed(design_, request.at)});
+  return least_.back().found;
 }
 
 // The wave of a drive of the file's frequency that carries a torque at a speed, and the derivatives of its voltage.
@@ -283,7 +288,7 @@ HeldMetrics::VoltageAt HeldMetrics::least_voltage_at(double torque, double near,
 // that keeps torque and speed, or amplitude and speed, at the frequency of the drive.
 MetricDerivative HeldMetrics::of_voltage_reserve(const MetricRequest& request,
                                                  const MetricValue& value, bool fixed) {
-  const LeastVoltage least = least_voltage(request);
+  const LeastVoltage& least = least_voltage(request);
   VoltageAt at;
   if (request.argument == Argument::torque) {
     at = least_voltage_at(request.at, least.speed, fixed);

@@ -50,7 +50,7 @@ class HeldMetrics {
     Row slopes{};
     Smoothness smoothness{Smoothness::smooth};
   };
-  LeastVoltage least_voltage(const MetricRequest& request);
+  const LeastVoltage& least_voltage(const MetricRequest& request);
   VoltageAt voltage_at(double torque, double speed, bool fixed);
   VoltageAt least_voltage_at(double torque, double near, bool fixed);
   MetricDerivative of_voltage_reserve(const MetricRequest& request, const MetricValue& value,
@@ -61,7 +61,13 @@ class HeldMetrics {
   const MotorDesign& design_;
   bool beyond_drive_;
   std::optional<Envelope> envelope_;
-  std::deque<Known> known_;  // references stay valid
+  struct KnownLeast {
+    bool at_torque;
+    double at;
+    LeastVoltage found;
+  };
+  std::deque<Known> known_;       // references stay valid
+  std::deque<KnownLeast> least_;  // likewise
 };
 
 }  // namespace twum::core

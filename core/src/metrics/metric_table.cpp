@@ -129,9 +129,9 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::drive_reserve_at, "drive_reserve_at", "1", A::both,
      "voltage or amplitude of the drive, which follows, over the least that holds a torque at a "
      "speed, minus 1"},
-    {M::voltage_reserve_at, "voltage_reserve_at", "1", A::speed_or_torque,
-     "voltage over the least with which the motor carries a torque, or has a running wave at a "
-     "speed, at its frequency, minus 1",
+    {M::voltage_reserve_at, "voltage_reserve_at", "1", A::either,
+     "voltage over the least with which the motor, at its frequency, carries a torque or runs at a "
+     "speed, minus 1; at a speed with mu_0 = mu only",
      kModes},
 }};
 

@@ -52,7 +52,45 @@ void check_list(const Given& given, const char* name, Diagnostics& diagnostics) 
     if (!item.scalar.empty()) repeats.see(item, item.scalar);
 }
 
+void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnostics) {
+  if (family.entries.size() == 1) return;
+  diagnostics.add(family.mark, spot.path, "found " + counted(family.entries.size(), "parameter"),
+                  "expected one: a family varies a single parameter");
+}
+
 }  // namespace
+
+Shape<DutyPoint> duty_point() {
+  return mapping<DutyPoint>(
+      "one operating point",
+      {required<DutyPoint>("torque", quantity("load torque", "N.m", "0.5 N.m"), &DutyPoint::torque),
+       required<DutyPoint>("speed", quantity("rotor speed", "rad/s", "100 rpm"),
+                           &DutyPoint::speed)},
+      [](DutyPoint& duty, const Given& given, Diagnostics& /*diagnostics*/) {
+        const YamlNode* torque = given.right("torque");
+        const YamlNode* speed = given.right("speed");
+        if (torque != nullptr && speed != nullptr)
+          duty.text = "torque_at(" + speed->scalar + ") >= " + torque->scalar;
+        return true;
+      });
+}
+
+Shape<CurveStudy::Family> family(const char* example) {
+  using Family = CurveStudy::Family;
+  const auto values = by_parameter<Family>(
+      [](const ParameterInfo& row) {
+        return shape_as<Family, std::vector<double>>(
+            list("values", value_of(row)),
+            [](std::vector<double> list) {
+              return Family{{}, std::move(list)};
+            },
+            [](const Family& family) { return family.values; });
+      },
+      "one parameter and its values", example, check_family);
+  return shape_as<Family, std::vector<Family>>(
+      values, [](std::vector<Family> list) { return std::move(list.front()); },
+      [](const Family& family) { return std::vector<Family>{family}; });
+}
 
 Shape<MetricExpression> metric(std::string text, std::string example) {
   return text_of<MetricExpression>(std::move(text), std::move(example), parse_metric,

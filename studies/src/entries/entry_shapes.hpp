@@ -36,6 +36,12 @@ Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
 Shape<double> value_of(const ParameterInfo& parameter);
 
+/// {torque, speed}; its text is the limit torque_at(SPEED) >= TORQUE as typed.
+Shape<DutyPoint> duty_point();
+
+/// The values of one parameter.
+Shape<CurveStudy::Family> family(const char* example);
+
 /// A metric or a statistic to maximize or minimize.
 Shape<DesignObjective> wanted(std::string text, bool maximize, std::string example = "peak_power");
 

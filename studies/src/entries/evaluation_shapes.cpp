@@ -24,29 +24,6 @@ constexpr const char* kSweep =
     "amplitude: {min: 0.8 um, max: 2.2 um, points: 8}\n"
     "preload: [100 N, 160 N, 220 N]";
 
-void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnostics) {
-  if (family.entries.size() == 1) return;
-  diagnostics.add(family.mark, spot.path, "found " + counted(family.entries.size(), "parameter"),
-                  "expected one: a family varies a single parameter");
-}
-
-Shape<CurveStudy::Family> family_shape(const char* example) {
-  using Family = CurveStudy::Family;
-  const auto values = by_parameter<Family>(
-      [](const ParameterInfo& row) {
-        return shape_as<Family, std::vector<double>>(
-            list("values", value_of(row)),
-            [](std::vector<double> list) {
-              return Family{{}, std::move(list)};
-            },
-            [](const Family& family) { return family.values; });
-      },
-      "one parameter and its values", example, check_family);
-  return shape_as<Family, std::vector<Family>>(
-      values, [](std::vector<Family> list) { return std::move(list.front()); },
-      [](const Family& family) { return std::vector<Family>{family}; });
-}
-
 using Variable = SweepStudy::Variable;
 
 Shape<Variable> sweep_variable(const ParameterInfo& row) {
@@ -298,7 +275,7 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
       "sweeps of the frequency of a motor under a voltage, or of a family over one parameter or "
       "its load",
       {kind_field<F>(),
-       optional<F>("family", family_shape("voltage: [80 V, 100 V, 120 V]"), &F::family,
+       optional<F>("family", shapes::family("voltage: [80 V, 100 V, 120 V]"), &F::family,
                    "the motor alone"),
        optional<F>("from", quantity("lowest frequency", "Hz", "39 kHz"), &F::from,
                    "below all resonances and jumps"),
@@ -332,7 +309,7 @@ Shape<CurveStudy> CurveStudy::shape() {
   return mapping<CurveStudy>(
       "one motor, or a family over one parameter",
       {kind_field<CurveStudy>(),
-       optional<CurveStudy>("family", family_shape("amplitude: [1.0 um, 1.5 um, 2.0 um]"),
+       optional<CurveStudy>("family", shapes::family("amplitude: [1.0 um, 1.5 um, 2.0 um]"),
                             &CurveStudy::family, "the motor alone"),
        standard<CurveStudy>("points", count("points of each curve", "51", 2, 1e6),
                             &CurveStudy::points)});

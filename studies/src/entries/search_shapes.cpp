@@ -110,30 +110,13 @@ Shape<DesignObjective> objective() {
 
 // A motor carries a load at a speed if its torque there is at least the load. Unlike speed_at(load), the torque also
 // exists for motors that cannot carry the load.
-struct Duty {
-  double torque{0};
-  double speed{0};
-  std::string text;
-};
-
-Shape<MotorLimit> duty_point() {
-  const auto point = mapping<Duty>(
-      "one operating point",
-      {required<Duty>("torque", quantity("load torque", "N.m", "0.5 N.m"), &Duty::torque),
-       required<Duty>("speed", quantity("rotor speed", "rad/s", "100 rpm"), &Duty::speed)},
-      [](Duty& duty, const Given& given, Diagnostics& /*diagnostics*/) {
-        const YamlNode* torque = given.right("torque");
-        const YamlNode* speed = given.right("speed");
-        if (torque != nullptr && speed != nullptr)
-          duty.text = "torque_at(" + speed->scalar + ") >= " + torque->scalar;
-        return true;
-      });
-  return shape_as<MotorLimit, Duty>(
-      point, [](const Duty& duty) { return parse_limit(duty.text); },
+Shape<MotorLimit> duty_limit() {
+  return shape_as<MotorLimit, DutyPoint>(
+      duty_point(), [](const DutyPoint& duty) { return parse_limit(duty.text); },
       [](const MotorLimit& limit) {
         const auto request = limit.metric.request();
         const bool duty = request && request->metric == Metric::torque_at;
-        return Duty{limit.lower, duty ? request->at : kNoValue, {}};
+        return DutyPoint{limit.lower, duty ? request->at : kNoValue, {}};
       });
 }
 
@@ -264,7 +247,7 @@ bool check_size(SizeStudy& study, const Given& given, Diagnostics& diagnostics) 
 
 Shape<SizeStudy> SizeStudy::shape() {
   using S = SizeStudy;
-  auto duty = list("operating points the motor must reach", duty_point());
+  auto duty = list("operating points the motor must reach", duty_limit());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
   return mapping<S>(
       "a motor for a duty",

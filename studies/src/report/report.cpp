@@ -108,7 +108,8 @@ Json files_json(const StudyFile& study, const StudyResult& result) {
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
   const MotorDesign& base = result.design;
-  const Json summary = summary_value(result);
+  Json summary = summary_value(result);
+  if (summary.contains("map")) summary["map"].erase("points");  // they are the rows
   const Json rows = rows_json(store);
   const telling::Sources sources{&study, &store};
   const Json limits = telling::curve_limits_json(result.answer);

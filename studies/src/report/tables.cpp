@@ -65,6 +65,7 @@ const char* argument_word(Argument argument) {
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
     case Argument::both: return "both";
+    case Argument::either:
     case Argument::speed_or_torque: return "speed or torque";
   }
   return "none";

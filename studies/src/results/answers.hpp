@@ -22,6 +22,7 @@ Json summary_value(const StudyResult& result);
 /// Entries of an answer in summary.json, in their order.
 Json answer_json(const CurveResult& result);
 Json answer_json(const FrequencyResult& result);
+Json answer_json(const MapResult& result);
 Json answer_json(const SweepResult& result);
 Json answer_json(const SensitivityResult& result);
 Json answer_json(const OptimizeResult& result);

@@ -63,6 +63,7 @@ Standing limit_standing(const LimitState& state, const DesignReport& report,
   standing.active = state.active && !breaks;
   standing.room = slack / (state.limit == 0 ? 1 : std::fabs(state.limit));
   const char* word = std::isnan(state.violation) ? "unreachable"
+                     : std::isnan(state.value)   ? "unknown"
                      : breaks                    ? "broken"
                      : state.active              ? "binds"
                                                  : "holds";

@@ -39,8 +39,14 @@ const char* kind_words(StudyKind kind) {
     case StudyKind::uncertainty: return "spread under tolerances";
     case StudyKind::calibrate: return "calibration";
     case StudyKind::frequency: return "sweep of the frequency";
+    case StudyKind::map: return "map over speed and torque";
   }
   return "";
+}
+
+// Whether an evaluation is one point of a motor.
+bool of_points(StudyKind kind) {
+  return kind == StudyKind::curve || kind == StudyKind::frequency || kind == StudyKind::map;
 }
 
 struct Badge {
@@ -83,6 +89,7 @@ Headline headline(const StudyResult& result) {
   told.badge = std::visit(Badge{result}, result.answer);
   told.title = kind_words(result.kind);
   if (!result.motor.empty()) told.title += " of " + printable(result.motor);
+  if (of_points(result.kind)) told.rows = "points";
   return told;
 }
 

@@ -116,16 +116,6 @@ std::vector<Phrase> limit_row(const Json& standing, const std::vector<Goal>& goa
   return row;
 }
 
-// Integer variables and choices, which the certificate holds fixed.
-std::vector<Part> held_parts(const DesignReport& report) {
-  std::vector<Part> parts;
-  for (const ChosenSet& one : report.choice) parts.push_back(name_part(one.choice));
-  for (const NamedValue& value : report.design)
-    if (const auto p = find_parameter(value.name); p && info(*p).integer)
-      parts.push_back(name_part(value.name));
-  return parts;
-}
-
 Part loosened_part(const RelaxationState& state, double amount) {
   if (!std::isfinite(amount)) return "does not help alone";
   if (amount == 0) return "as it is";
@@ -199,6 +189,7 @@ std::vector<Phrase> holder_phrases(const Json& standings, const std::vector<Goal
 Phrase state_phrase(const Json& standing) {
   const std::string state = standing["state"];
   if (state == "holds") return {good("holds")};
+  if (state == "unknown") return {"not known"};
   if (state == "broken")
     return {bad("broken by "), bad(value_part(number(standing["violation"]), standing["unit"], 3))};
   return {bad(state == "unreachable" ? "cannot be reached" : "binds")};
@@ -271,6 +262,15 @@ Table metrics_table(const std::string& name, const std::string& title, const Des
   return table;
 }
 
+std::vector<Part> held_parts(const DesignReport& report) {
+  std::vector<Part> parts;
+  for (const ChosenSet& one : report.choice) parts.push_back(name_part(one.choice));
+  for (const NamedValue& value : report.design)
+    if (const auto p = find_parameter(value.name); p && info(*p).integer)
+      parts.push_back(name_part(value.name));
+  return parts;
+}
+
 Phrase certificate_phrase(const DesignReport& report, const std::string& goal_unit) {
   const optim::Certificate& certificate = report.certificate;
   if (!certificate.passed)
@@ -287,9 +287,9 @@ Phrase certificate_phrase(const DesignReport& report, const std::string& goal_un
   append(phrase, {std::string(": no small change within the limits improves it") +
                   (certificate.second_order ? "" : " to first order") + " ("});
   if (certificate.stationarity < kRounding)
-    append(phrase, {"nothing but rounding is left of the slope"});
+    append(phrase, {"the slope is zero up to rounding"});
   else
-    append(phrase, {"what is left of the slope, relative to the slope: ",
+    append(phrase, {"the slope is zero up to this share of its terms: ",
                     value_part(certificate.stationarity, "1", 2)});
   if (!goal_unit.empty() && !std::isnan(certificate.gain))
     append(phrase,

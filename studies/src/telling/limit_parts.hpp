@@ -50,6 +50,9 @@ Table design_table(const std::string& name, const std::string& title, const Desi
 Table metrics_table(const std::string& name, const std::string& title, const DesignReport& report,
                     const std::vector<NamedValue>& before);
 
+/// Integer variables and choices, which the certificate and each run of a solver hold fixed.
+std::vector<Part> held_parts(const DesignReport& report);
+
 /// What the word "optimal" rests on.
 Phrase certificate_phrase(const DesignReport& report, const std::string& goal_unit);
 

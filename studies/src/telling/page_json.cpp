@@ -103,7 +103,8 @@ Json axis_json(const Axis& axis) {
           {"high", number_json(axis.high)}};
 }
 
-constexpr const char* kStrokes[] = {"line", "dashes", "dots", "steps", "path", "outline", "bars"};
+constexpr const char* kStrokes[] = {"line", "dashes",  "dots",    "steps",
+                                    "path", "contour", "outline", "bars"};
 constexpr const char* kGuides[] = {"limit", "quantile", "level"};
 
 Json series_json(const Series& series) {
@@ -117,6 +118,25 @@ Json series_json(const Series& series) {
     json["band"] = series.band;
   }
   return json;
+}
+
+// Of each row a text with a letter for each cell: a, b, ... for the bands, a blank for none.
+Json field_json(const Field& field) {
+  Json rows = Json::array();
+  for (std::size_t j = 0; j < field.rows; ++j) {
+    std::string text;
+    for (std::size_t i = 0; i < field.columns; ++i) {
+      const signed char band = field.bands[j * field.columns + i];
+      text += band < 0 ? ' ' : static_cast<char>('a' + band);
+    }
+    rows.push_back(std::move(text));
+  }
+  return {{"name", written(field.name, Writing::page)},
+          {"unit", field.unit},
+          {"levels", field.levels},
+          {"x", {field.left, field.right}},
+          {"y", {field.bottom, field.top}},
+          {"rows", rows}};
 }
 
 Json chart_json(const Chart& chart) {
@@ -139,7 +159,9 @@ Json chart_json(const Chart& chart) {
     json["marks"].push_back({{"x", mark.x},
                              {"y", mark.y},
                              {"text", written(mark.text, Writing::page)},
-                             {"colour", mark.colour}});
+                             {"colour", mark.colour},
+                             {"dot", mark.dot}});
+  if (!chart.field.levels.empty()) json["field"] = field_json(chart.field);
   return json;
 }
 
@@ -205,7 +227,9 @@ Json headline_json(const Headline& headline) {
           {"look", kLooks[static_cast<std::size_t>(headline.look)]},
           {"badge", headline.badge},
           {"sentences", sentences_json(headline.sentences)},
-          {"remarks", remarks_json(headline.remarks)}};
+          {"remarks", remarks_json(headline.remarks)},
+          {"rows", headline.rows},
+          {"unanswered", headline.unanswered}};
 }
 
 Json curve_limits_json(const Answer& answer) {

@@ -110,6 +110,7 @@ std::string read_request(const MetricRequest& request, const std::string& metric
     case Argument::speed: return name + at(request.at, "rad/s");
     case Argument::both: return name + at(request.torque, "N.m") + "," + at(request.at, "rad/s");
     case Argument::none:
+    case Argument::either:
     case Argument::speed_or_torque: break;
   }
   const bool counted = metric == "efficiency" || metric == "max_efficiency";

@@ -83,16 +83,6 @@ bool is_global(const Stage* run) {
   return known != solvers.end() && known->global;
 }
 
-// Whole numbers and choices, which each run held.
-std::vector<Part> held_parts(const OptimizeResult& answer) {
-  std::vector<Part> held;
-  for (const ChosenSet& one : answer.best.choice) held.push_back(name_part(one.choice));
-  for (const NamedValue& value : answer.best.design)
-    if (const auto p = find_parameter(value.name); p && info(*p).integer)
-      held.push_back(name_part(value.name));
-  return held;
-}
-
 // How many runs came to the best value.
 std::string runs_words(const OptimizeResult& answer, const Runs& runs, bool holding) {
   const std::string alike = answer.stages.size() > 1 ? " with the slices of the answer" : "";
@@ -118,19 +108,20 @@ std::string runs_words(const OptimizeResult& answer, const Runs& runs, bool hold
 std::vector<Phrase> starts_phrase(const OptimizeResult& answer) {
   const Runs runs = runs_of(answer);
   if (runs.comparable.empty() || std::isnan(goal_of(answer.best, answer.goal))) return {};
-  const std::vector<Part> held = held_parts(answer);
+  const std::vector<Part> held = held_parts(answer.best);
   Phrase phrase{"It is a local optimum: " + runs_words(answer, runs, !held.empty())};
   if (runs.before > 0)
     append(phrase, {"; " + counted(runs.before, "run") + " with ", name_part("radial_slices"), " ",
                     named_part("radial_slices", runs.slices_before, "1"),
-                    " came first to find where to begin, and their values are not comparable with "
-                    "it"});
+                    " came before it to find its start; their values have another error, so "
+                    "do not compare them with this one"});
   append(phrase, {". A better design far from all of them cannot be ruled out."});
   if (held.empty()) return {phrase};
-  append(phrase, {" Held in each run: "});
+  append(phrase, {" Each run keeps "});
   append(phrase, listed(held));
-  append(phrase, {"; the limits above are worth so much at what was found for ",
-                  held.size() > 1 ? "them." : "it."});
+  append(phrase,
+         {held.size() > 1 ? " as they are; what the limits above are worth is for the values found."
+                          : " as it is; what the limits above are worth is for the value found."});
   return {phrase};
 }
 
@@ -274,19 +265,20 @@ std::vector<Section> search(const OptimizeResult& answer, const Json& standings,
 
 std::vector<Section> runs(const OptimizeResult& answer) {
   if (answer.stages.empty()) return {};
-  Section section{{"The runs of the solvers"},
-                  {"Each run of a solver, and the code that it returned."}};
+  Section section{
+      {"The runs of the solvers"},
+      {"Each run of a solver by its stage in results.csv, and the code that it returned."}};
   const bool sliced = !answer.slices_of_stages.empty();
   Table table{"starts",
-              {{"run"},
+              {{"stage"},
                {"solver"},
                {"return code"},
                {name_part(answer.goal.metric)},
                {"keeps limits"},
                {"evaluations"}},
               {}};
-  table.typed = table.heads.size();
   if (sliced) table.heads.push_back({name_part("radial_slices")});
+  table.typed = table.heads.size();
   for (std::size_t i = 0; i < answer.stages.size(); ++i) {
     const Stage& run = answer.stages[i];
     table.rows.push_back({{std::to_string(run.stage)},

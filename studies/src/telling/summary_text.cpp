@@ -32,11 +32,11 @@ std::string where_text(const FailureRegion& region) {
   return text;
 }
 
-std::string failures_text(const StudyResult& result) {
+std::string failures_text(const StudyResult& result, const telling::Headline& told) {
   if (result.failures.empty()) return {};
   std::uint64_t count = 0;
   for (const auto& [reason, times] : result.failures) count += times;
-  std::string text = std::to_string(count) + " failed or incomplete:\n";
+  std::string text = std::to_string(count) + " " + told.unanswered + ":\n";
   std::size_t shown = 0;
   for (const FailureRegion& region : result.failure_regions) {
     if (shown++ == kReasonsShown) break;
@@ -73,7 +73,7 @@ std::string summary_text(const StudyResult& result, std::span<const std::string>
   for (const std::string& note : result.model_notes)
     if (std::find(said.begin(), said.end(), note) == said.end()) notes += "note: " + note + "\n";
   if (!notes.empty()) text += "\n" + notes;
-  return text + "\n" + count_text(result) + failures_text(result);
+  return text + "\n" + count_text(result) + failures_text(result, told);
 }
 
 std::string summary_markdown(const StudyResult& result) {

@@ -19,6 +19,7 @@ Headline headline_of(const ParetoResult& answer, const StudyResult& result);
 Headline headline_of(const UncertaintyResult& answer, const StudyResult& result);
 Headline headline_of(const CalibrateResult& answer, const StudyResult& result);
 Headline headline_of(const FrequencyResult& answer, const StudyResult& result);
+Headline headline_of(const MapResult& answer, const StudyResult& result);
 /// @}
 
 /// The headline where no design keeps every limit: what is at fault, and the least that would make it possible.
@@ -44,6 +45,7 @@ std::vector<Section> sections_of(const ParetoResult& answer, const Sources& sour
 std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources& sources);
 std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& sources);
 std::vector<Section> sections_of(const FrequencyResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const MapResult& answer, const Sources& sources);
 /// @}
 
 /// Why the contact efficiency is above the efficiency, where both are among the metrics; empty otherwise.

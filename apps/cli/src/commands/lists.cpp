@@ -76,6 +76,7 @@ std::string argument_text(Argument argument) {
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
     case Argument::both: return "torque and speed";
+    case Argument::either: return "speed or torque";
     case Argument::speed_or_torque: break;
   }
   return "speed or torque, or both";

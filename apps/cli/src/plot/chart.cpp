@@ -83,8 +83,8 @@ std::string axes_of(const Scaled& s, bool labelled) {
                    (s.value_unit.text.empty()
                         ? ""
                         : " [" + studies::printed_unit(s.value_unit.text) + "]")) +
-         " noenhanced\nset palette defined (0 '#0B2F52', 0.35 '#0072B2', 0.7 '#8CC5E3', 1 "
-         "'#F6E8B1')\n";
+         " noenhanced\nset palette maxcolors " + std::to_string(panel.bands) +
+         " defined (0 '#0B2F52', 0.35 '#0072B2', 0.7 '#8CC5E3', 1 '#F6E8B1')\n";
 }
 
 // The lines themselves are series: over the others, and below all texts.
@@ -120,7 +120,8 @@ std::string series_text(const Scaled& s, std::size_t number, const Series& serie
                                                                   : s.value_unit;
     columns += (columns.empty() ? "" : ":") + in_unit(static_cast<int>(column) + 1, unit);
   }
-  const std::string colour = series.draw == Draw::cells ? " fillcolor palette"
+  const std::string colour = series.draw == Draw::image   ? ""
+                             : series.draw == Draw::cells ? " fillcolor palette"
                              : series.draw == Draw::boxes || series.draw == Draw::band
                                  ? " fillcolor rgb '" + series.colour + "'"
                                  : " linecolor rgb '" + series.colour + "'";

@@ -12,6 +12,7 @@ namespace twum::cli {
 /// How the rows of a series are drawn, and what their columns are.
 enum class Draw : unsigned char {
   line,       ///< x, y
+  thin,       ///< x, y: a line as thin as one can see
   dashes,     ///< x, y
   steps,      ///< x, y
   dots,       ///< x, y
@@ -20,6 +21,7 @@ enum class Draw : unsigned char {
   band,       ///< x, low y, high y
   boxes,      ///< low x, high x, low y, high y
   cells,      ///< as boxes, and the value that is the colour
+  image,      ///< x, y, and the value that is the colour: cells in rows, evenly spaced
   intervals,  ///< x, y, low x, high x
 };
 
@@ -48,6 +50,7 @@ struct Axis {
 struct PointMark {
   double x, y;
   std::string text;
+  bool dot{true};  ///< false: the text alone
 };
 
 /// A line across the panel with a text beside it.
@@ -66,6 +69,7 @@ struct Panel {
   std::vector<PointMark> marks{};
   std::vector<Guide> guides{};
   Axis colours{};         ///< of cells
+  std::size_t bands{0};   ///< how many colours they have; 0: each value its own
   bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
 };
 

@@ -42,7 +42,7 @@ double edge_of(const std::vector<Zone>& zones) {
 // Samples are equally spaced over the whole wave; as many as leave 600 in the picture.
 int samples_for(double edge) { return 1 + static_cast<int>(std::min(600 * kPi / edge, 60000.0)); }
 
-FieldsPicture picture_of(const MotorDesign& design, double speed) {
+FieldsPicture fields_picture(const MotorDesign& design, double speed) {
   const Motor motor(design);
   FieldsPicture picture;
   picture.edge = edge_of(motor.zones(speed));
@@ -144,7 +144,7 @@ std::string velocity_panel(const FieldsPicture& picture) {
 }  // namespace
 
 std::string fields_plot(const studies::MotorFile& file, double speed) {
-  const FieldsPicture picture = picture_of(file.design, speed);
+  const FieldsPicture picture = fields_picture(file.design, speed);
   const OperatingPoint& point = picture.fields.point;
   const std::string edge = plot_number(picture.edge / kDegree);
   return plot_data("fields", picture.rows) +

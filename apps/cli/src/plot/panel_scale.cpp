@@ -46,8 +46,9 @@ void to_one_scale(Extent& x, Extent& y, const Place& place) {
 }  // namespace
 
 const Form& form_of(Draw draw) {
-  static const std::array<Form, 10> kForms = {{
+  static const std::array<Form, 12> kForms = {{
       {{0}, {1}, {0, 1}, "lines linewidth 2"},
+      {{0}, {1}, {0, 1}, "lines linewidth 0.7"},
       {{0}, {1}, {0, 1}, "lines linewidth 1.6 dashtype 2"},
       {{0}, {1}, {0, 1}, "steps linewidth 2"},
       {{0}, {1}, {0, 1}, "points pointtype 7"},
@@ -56,6 +57,7 @@ const Form& form_of(Draw draw) {
       {{0}, {1, 2}, {0, 1, 2}, "filledcurves fillstyle solid 0.25 noborder"},
       {{0, 1}, {2, 3}, {0, 2, 0, 1, 2, 3}, "boxxyerror fillstyle solid 0.8 noborder"},
       {{0, 1}, {2, 3}, {0, 2, 0, 1, 2, 3, 4}, "boxxyerror fillstyle solid 1 noborder"},
+      {{0}, {1}, {0, 1, 2}, "image"},
       {{0, 2, 3}, {1}, {0, 1, 2, 3}, "xerrorbars pointtype 7 pointsize 0.3 linewidth 1.3"},
   }};
   return kForms[static_cast<std::size_t>(draw)];
@@ -69,6 +71,7 @@ Scaled scaled(const Panel& panel, const Place& place) {
       for (const std::size_t column : form.x) x.add(row[column]);
       for (const std::size_t column : form.y) y.add(row[column]);
       if (series.draw == Draw::cells) value.add(row[4]);
+      if (series.draw == Draw::image) value.add(row[2]);
     }
   }
   for (const PointMark& mark : panel.marks) {

@@ -35,6 +35,7 @@ Box box_of(const PointMark& mark, const Scaled& s, Side side) {
 
 // Points of a series inside a box; of a line with few points also places between them.
 std::size_t points_of(const Series& series, const Box& box, const Scaled& s) {
+  if (series.draw == Draw::image) return 0;
   const Form& form = form_of(series.draw);
   const int between = series.draw == Draw::line && series.rows.size() < 100 ? 20 : 1;
   std::size_t count = 0;
@@ -79,14 +80,14 @@ Side side_of(const PointMark& mark, const Scaled& s) {
 std::string marks_text(const Scaled& s) {
   std::string script;
   for (const PointMark& mark : s.panel.marks) {
-    const Side side = side_of(mark, s);
+    const Side side = mark.dot ? side_of(mark, s) : Side{0, 0};
     const char* align = side.across > 0 ? "left" : side.across < 0 ? "right" : "center";
     script += "set label " + plot_text(mark.text) + " at first " +
               plot_number(mark.x / s.x_unit.divisor) + ", first " +
               plot_number(mark.y / s.y_unit.divisor) + " " + align + " offset character " +
               plot_number(0.8 * side.across) + ", character " + plot_number(0.75 * side.up) +
-              " font 'Arial,11' noenhanced front point pointtype 7 pointsize 0.8 linecolor rgb "
-              "'#000000'\n";
+              " font 'Arial,11' noenhanced front " +
+              (mark.dot ? "point pointtype 7 pointsize 0.8 linecolor rgb '#000000'\n" : "boxed\n");
   }
   return script;
 }

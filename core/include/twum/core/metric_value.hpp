@@ -68,11 +68,12 @@ enum class Metric : unsigned char {
 
 /// Argument that a metric takes.
 enum class Argument : unsigned char {
-  none,            ///< nothing: a number of the motor, such as stall_torque
-  speed,           ///< a rotor speed [rad/s]
-  torque,          ///< a load torque [N m]
-  both,            ///< a torque that the drive holds at a speed
-  speed_or_torque  ///< a speed, a torque, or both; only in the table, never in a request
+  none,             ///< nothing: a number of the motor, such as stall_torque
+  speed,            ///< a rotor speed [rad/s]
+  torque,           ///< a load torque [N m]
+  both,             ///< a torque that the drive holds at a speed
+  speed_or_torque,  ///< a speed, a torque, or both; only in the table, never in a request
+  either            ///< a speed or a torque, not both; likewise
 };
 
 /// Whether a metric has a value.

@@ -65,6 +65,33 @@ struct FrequencyStudy {
   SweepDirection direction{SweepDirection::both};  ///< of the sweeps
 };
 
+/// A map over speed and torque of what a drive that follows needs, loses and gives at each point; of one motor, or of a
+/// family over one parameter.
+struct MapStudy {
+  static constexpr std::string_view kName{"map"};  ///< as in `kind:`
+  static Shape<MapStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// How many speeds and torques: 60x40.
+  struct Grid {
+    std::uint64_t speeds{60};   ///< 2 to 1000
+    std::uint64_t torques{40};  ///< 2 to 1000
+
+    /// The grid that a text such as "60x40" names. @throws ValueError
+    static Grid parse(std::string_view text);
+  };
+  /// Metrics that `quantity` may be, in the order of the table; static lifetime.
+  static std::span<const Metric> quantities();
+  std::optional<CurveStudy::Family> family{};  ///< none: the motor alone
+  std::optional<double> torque{};  ///< the largest [N m], more than 0; none: the drive's largest
+  std::optional<double> speed{};   ///< the largest [rad/s], more than 0; none: the drive's largest
+  Grid points{};                   ///< of the map
+  /// What the pictures show, a metric at a torque and a speed; none: the efficiency of the whole motor.
+  std::optional<Metric> quantity{};
+  std::vector<DutyPoint> duty{};  ///< points that are marked; may be empty
+};
+
 /// How the designs of a sweep are chosen.
 enum class Sampling : unsigned char { grid, list, lhs, sobol };
 
@@ -235,7 +262,7 @@ struct CalibrateStudy {
 
 /// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.
 using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
-                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy>;
+                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy, MapStudy>;
 
 /// The kinds of study.
 enum class StudyKind : unsigned char {
@@ -247,7 +274,8 @@ enum class StudyKind : unsigned char {
   size,
   uncertainty,
   calibrate,
-  frequency
+  frequency,
+  map
 };
 
 /// The kind of a study.

@@ -31,8 +31,9 @@ struct FailureRegion {
 };
 
 /// Answer of a study, by kind.
-using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
-                            ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult>;
+using Answer =
+    std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult, ParetoResult,
+                 UncertaintyResult, CalibrateResult, FrequencyResult, MapResult>;
 
 /// Result of a study. A size study has the answer of optimize.
 struct StudyResult {

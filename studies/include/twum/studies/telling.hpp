@@ -95,6 +95,7 @@ enum class Stroke : unsigned char {
   dots,     ///< at its points
   steps,    ///< from left to right, level up to the next point
   path,     ///< through its points in their order, wherever they lie
+  contour,  ///< likewise, thin
   outline,  ///< over bins: x has one more than y
   bars,     ///< likewise
 };
@@ -135,6 +136,17 @@ struct Mark {
   double x, y;
   Phrase text{};
   std::string colour{"c1"};
+  bool dot{true};  ///< false: the text alone
+};
+
+/// Bands of values over the plane of a chart, each in one colour.
+struct Field {
+  Phrase name{};
+  std::string unit{};            ///< SI; "%" for a share
+  std::vector<double> levels{};  ///< rising; band i lies between levels i and i + 1
+  std::size_t columns{0}, rows{0};
+  double left{0}, right{0}, bottom{0}, top{0};  ///< middles of the outermost cells
+  std::vector<signed char> bands{};  ///< of the cells, row by row from the bottom; -1: no value
 };
 
 /// A picture of series over one axis.
@@ -149,6 +161,7 @@ struct Chart {
   double least{-std::numeric_limits<double>::infinity()};
   double most{std::numeric_limits<double>::infinity()};
   bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
+  Field field{};          ///< behind the series; without levels there is none
 };
 
 /// A bar for each row of the section's first table. Columns by position; 0: none.
@@ -192,8 +205,10 @@ struct Headline {
   Look look{Look::plain};
   std::string badge{};  ///< the answer in a word
   std::vector<Phrase> sentences{};
-  std::vector<Phrase> remarks{};  ///< one thing each, below the sentences
-  std::string title{};            ///< what was asked: "optimization of ring-60"
+  std::vector<Phrase> remarks{};                   ///< one thing each, below the sentences
+  std::string title{};                             ///< what was asked: "optimization of ring-60"
+  std::string rows{"motors"};                      ///< what was evaluated
+  std::string unanswered{"failed or incomplete"};  ///< what evaluations without an answer are
 };
 
 Headline headline(const StudyResult& result);

@@ -63,8 +63,7 @@ MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument
 // "0.5 N.m, 100 rpm" in either order: the drive holds the torque at the speed.
 MetricRequest parse_held(const MetricInfo& metric, std::string_view first, std::string_view second,
                          std::string_view text) {
-  const bool drive_stays = metric.metric == Metric::voltage_reserve_at;
-  if (metric.argument == Argument::torque || metric.argument == Argument::speed || drive_stays)
+  if (metric.argument != Argument::both && metric.argument != Argument::speed_or_torque)
     throw ValueError(
         std::string(metric.name) + " takes " + argument_phrase(metric.argument) + " alone",
         "write '" + usage(metric) + "'", static_cast<std::size_t>(second.data() - text.data()));

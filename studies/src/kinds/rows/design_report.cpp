@@ -143,10 +143,14 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
       state.gain_per_percent = a->gain_per_percent;
       if (a->active && a->side != optim::Side::equal)
         state.at_least = a->side == optim::Side::lower;
-      if (state.implied && std::isfinite(a->value)) state.value = a->value;  // such as mu_0 - mu
+      if (state.implied && !is_of_the_drive(limit) && std::isfinite(a->value))
+        state.value = a->value;  // such as mu_0 - mu
     }
     state.limit = end_of(limit, state.at_least);
-    state.violation = limit.excess(state.value);
+    // Without a least voltage that is known no voltage is too low, as for the search.
+    const bool unknown = is_of_the_drive(limit) && std::isnan(state.value) &&
+                         limit.metric.request()->metric == Metric::voltage_reserve_at;
+    state.violation = unknown ? 0 : limit.excess(state.value);
     const bool one_end = std::isinf(limit.lower) || std::isinf(limit.upper);
     if (one_end && !limit.sides.empty())
       show_sides(state, values[1], values[2], problem_.objectives.front().maximize);

@@ -54,6 +54,7 @@ Draw draw_of(telling::Stroke stroke) {
     case Stroke::dots: return Draw::dots;
     case Stroke::steps: return Draw::steps;
     case Stroke::bars: return Draw::boxes;
+    case Stroke::contour: return Draw::thin;
     case Stroke::line:
     case Stroke::path:
     case Stroke::outline: break;
@@ -83,12 +84,34 @@ Guide guide_of(const telling::Guide& told) {
           limit ? colour::kVermilion : "#444444", told.kind == Kind::quantile};
 }
 
+// The colour of a cell is that of the middle of its band.
+void add_field(Panel& panel, const telling::Field& field) {
+  if (field.levels.empty()) return;
+  panel.colours = {read(field.name),     field.unit,         false, 0,
+                   field.levels.front(), field.levels.back()};
+  panel.bands = field.levels.size() - 1;
+  Series cells{"", Draw::image, "", {}};
+  const auto between = [](double from, double to, std::size_t i, std::size_t count) {
+    return from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
+  };
+  for (std::size_t j = 0; j < field.rows; ++j)
+    for (std::size_t i = 0; i < field.columns; ++i) {
+      const signed char band = field.bands[j * field.columns + i];
+      const auto k = static_cast<std::size_t>(std::max<signed char>(band, 0));
+      cells.rows.push_back({between(field.left, field.right, i, field.columns),
+                            between(field.bottom, field.top, j, field.rows),
+                            band < 0 ? kNoValue : 0.5 * (field.levels[k] + field.levels[k + 1])});
+    }
+  panel.series.push_back(std::move(cells));
+}
+
 Panel panel_of(const telling::Chart& chart) {
   Panel panel{axis_of(chart.x), axis_of(chart.y), {}};
+  add_field(panel, chart.field);
   for (const telling::Series& series : chart.series) add_series(panel, series);
   for (const telling::Guide& guide : chart.guides) panel.guides.push_back(guide_of(guide));
   for (const telling::Mark& mark : chart.marks)
-    panel.marks.push_back({mark.x, mark.y, read(mark.text)});
+    panel.marks.push_back({mark.x, mark.y, read(mark.text), mark.dot});
   panel.one_scale = chart.one_scale;
   return panel;
 }

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/rows/sample_rows.hpp"
+
+#include <twum/core/metrics.hpp>
+#include <twum/io/engineering.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct MapColumn {
+  const char* name;
+  const char* unit;
+  double (*value)(const HeldPoint&);
+};
+
+// What every motor has.
+constexpr std::array kContact{
+    MapColumn{"efficiency", "1", [](const HeldPoint& h) { return h.point.efficiency(); }},
+    MapColumn{"output_power", "W", [](const HeldPoint& h) { return h.point.output_power; }},
+    MapColumn{"stator_power", "W", [](const HeldPoint& h) { return h.point.stator_power; }},
+    MapColumn{"friction_power", "W", [](const HeldPoint& h) { return h.point.friction_power; }},
+    MapColumn{"layer_loss", "W", [](const HeldPoint& h) { return h.point.layer_loss; }},
+    MapColumn{"wear_intensity", "W/m^2", [](const HeldPoint& h) { return h.point.wear_intensity; }},
+    MapColumn{"amplitude", "m", [](const HeldPoint& h) { return h.amplitude; }},
+    MapColumn{"held_by_control_only", "1",
+              [](const HeldPoint& h) { return h.by_control_only ? 1.0 : 0.0; }}};
+
+// What a motor with modal data has besides.
+constexpr std::array kTerminals{
+    MapColumn{"overall_efficiency", "1",
+              [](const HeldPoint& h) { return h.point.overall_efficiency(); }},
+    MapColumn{"electrical_power", "W", [](const HeldPoint& h) { return h.point.electrical_power; }},
+    MapColumn{"phase_current", "A", [](const HeldPoint& h) { return h.point.phase_current; }},
+    MapColumn{"drive_frequency", "Hz", [](const HeldPoint& h) { return h.frequency; }},
+    MapColumn{"drive_voltage", "V", [](const HeldPoint& h) { return h.voltage; }},
+    MapColumn{"stator_loss", "W", [](const HeldPoint& h) { return h.point.stator_loss; }},
+    MapColumn{"dielectric_loss", "W", [](const HeldPoint& h) { return h.point.dielectric_loss; }}};
+
+std::size_t place_of(const std::vector<StoredColumn>& columns, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(columns, name, &StoredColumn::name) -
+                                  columns.begin());
+}
+
+// What is known of a point; the same for every motor of a family.
+class MapColumns {
+ public:
+  MapColumns(const MotorDesign& design, std::optional<Metric> quantity) {
+    if (has_modal_data(design)) columns_.assign(kTerminals.begin(), kTerminals.end());
+    columns_.insert(columns_.end(), kContact.begin(), kContact.end());
+    for (const MapColumn& one : columns_) names_.push_back({one.name, one.unit});
+    const char* whole = has_modal_data(design) ? "overall_efficiency" : "efficiency";
+    efficiency_ = shown_ = place_of(names_, whole);
+    if (quantity) show(*quantity);
+  }
+
+  const std::vector<StoredColumn>& names() const { return names_; }
+  std::size_t efficiency() const { return efficiency_; }
+  std::size_t shown() const { return shown_; }
+
+  // NaN where the drive does not hold the point.
+  std::vector<double> values(const Motor& motor, double torque, double speed,
+                             const HeldPoint& held) const {
+    if (held.status != HeldStatus::ok) return std::vector<double>(names_.size(), kNone);
+    std::vector<double> values;
+    for (const MapColumn& one : columns_) values.push_back(one.value(held));
+    if (!extra_) return values;
+    const MetricValue more = evaluate(motor, {*extra_, Argument::both, speed, torque});
+    values.push_back(more.status == MetricStatus::ok ? more.value : kNone);
+    return values;
+  }
+
+ private:
+  // A metric that is none of the columns becomes one.
+  void show(Metric metric) {
+    const MetricInfo& row = info(metric);
+    shown_ = place_of(names_, row.name.substr(0, row.name.rfind("_at")));
+    if (shown_ < names_.size()) return;
+    extra_ = metric;
+    names_.push_back({std::string(row.name), std::string(row.unit)});
+  }
+
+  std::vector<MapColumn> columns_;
+  std::vector<StoredColumn> names_;
+  std::size_t efficiency_{0}, shown_{0};
+  std::optional<Metric> extra_;
+};
+
+struct MappedMotor {
+  double value;  // of the family's parameter
+  Motor motor;
+};
+
+std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& base) {
+  if (!asked.family) return {{kNone, Motor(base)}};
+  std::vector<MappedMotor> motors;
+  const ParameterInfo& row = info(asked.family->parameter);
+  for (const double value : asked.family->values) {
+    try {
+      motors.push_back({value, Motor(with(base, asked.family->parameter, value))});
+    } catch (const InputError& error) {
+      throw InputError("study.family: " + std::string(row.name) + " = " +
+                       engineering(value, row.unit) + " gives an invalid motor: " + error.what());
+    }
+  }
+  return motors;
+}
+
+double value_or_none(const MetricValue& value) {
+  return value.status == MetricStatus::ok ? value.value : kNone;
+}
+
+double largest_torque(const Motor& motor, double speed) {
+  return value_or_none(evaluate(motor, {Metric::held_torque_limit_at, Argument::speed, speed}));
+}
+
+double largest_speed(const Motor& motor) {
+  return value_or_none(evaluate(motor, {Metric::held_speed_limit_at, Argument::torque, 0}));
+}
+
+// What would make a drive hold a point has the unit of what is too small.
+std::string unit_of(const HeldPoint& held) {
+  switch (held.status) {
+    case HeldStatus::torque_out_of_reach: return "N.m";
+    case HeldStatus::voltage_too_low: return "V";
+    case HeldStatus::amplitude_too_low: return "m";
+    case HeldStatus::outside_frequency_range: return "Hz";
+    default: return "";
+  }
+}
+
+// A stage for each motor, a row for each point.
+class MapRun : public StudyKindRun {
+ public:
+  MapRun(const MapStudy& asked, const MotorDesign& base)
+      : asked_(asked),
+        motors_(motors_of(asked, base)),
+        columns_(motors_.front().motor.design(), asked.quantity) {
+    if (!asked.family) return;
+    const ParameterInfo& row = info(asked.family->parameter);
+    family_ = StoredColumn{std::string(row.name), std::string(row.unit)};
+  }
+
+  std::vector<StoredColumn> columns() const override {
+    std::vector<StoredColumn> columns;
+    if (family_) columns.push_back(*family_);
+    columns.push_back({"speed", "rad/s"});
+    columns.push_back({"torque", "N.m"});
+    columns.insert(columns.end(), columns_.names().begin(), columns_.names().end());
+    return columns;
+  }
+
+  std::size_t variables() const override { return family_ ? 3 : 2; }
+
+  KindAnswer run(RunContext& context) override {
+    bool complete = true;
+    for (std::size_t i = 0; complete && i < motors_.size(); ++i)
+      complete = store_rows(context, i, count(), count() * i, count() * motors_.size());
+    if (!complete) return {"interrupted", without_members()};
+    MapResult result = without_members();
+    for (std::size_t i = 0; i < motors_.size(); ++i)
+      result.members.push_back(member(context.store, i));
+    const bool any = std::ranges::any_of(result.members, [](const MapResult::Member& one) {
+      return std::ranges::any_of(
+          one.points, [](const MapResult::Point& point) { return point.status == "ok"; });
+    });
+    return {any ? "done" : "failed", std::move(result)};
+  }
+
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
+    if (asked.stage >= motors_.size() || asked.index >= count()) return {};
+    StoredRow row{asked.stage, asked.index, {}, "ok", {}};
+    const MappedMotor& one = motors_[row.stage];
+    const Ends& to = ends();
+    const double speed = speed_of(row.index / asked_.points.torques);
+    const double torque = to.torque * static_cast<double>(row.index % asked_.points.torques) /
+                          static_cast<double>(asked_.points.torques - 1);
+    const MapResult::Point point = point_at(one.motor, torque, speed);
+    if (family_) row.values.push_back(one.value);
+    row.values.insert(row.values.end(), {speed, torque});
+    row.values.insert(row.values.end(), point.values.begin(), point.values.end());
+    row.status = point.status;
+    return row;
+  }
+
+ private:
+  struct Ends {
+    double speed, torque;                             // of both axes
+    std::vector<double> speeds;                       // largest one of each motor
+    std::vector<std::vector<double>> largest_torque;  // of each motor at each speed
+  };
+
+  std::uint64_t count() const { return asked_.points.speeds * asked_.points.torques; }
+
+  double speed_of(std::uint64_t number) const {
+    return ends().speed * static_cast<double>(number + 1) /
+           static_cast<double>(asked_.points.speeds);
+  }
+
+  // The ends that are not given contain what the drives of all motors hold.
+  const Ends& ends() const {
+    const std::lock_guard guard(mutex_);
+    if (!ends_) ends_ = ends_found();
+    return *ends_;
+  }
+
+  Ends ends_found() const {
+    Ends ends{asked_.speed.value_or(0), asked_.torque.value_or(0), {}, {}};
+    for (const MappedMotor& one : motors_) {
+      ends.speeds.push_back(largest_speed(one.motor));
+      if (!asked_.speed) ends.speed = std::fmax(ends.speed, ends.speeds.back());
+    }
+    if (!(ends.speed > 0))
+      throw InputError(
+          "study.speed: the drive holds no speed without load, so that the map has no "
+          "upper end of its own; give one, such as 150 rpm");
+    for (const MappedMotor& one : motors_) {
+      std::vector<double>& torques = ends.largest_torque.emplace_back();
+      for (std::uint64_t i = 0; i < asked_.points.speeds; ++i) {
+        torques.push_back(largest_torque(one.motor, ends.speed * static_cast<double>(i + 1) /
+                                                        static_cast<double>(asked_.points.speeds)));
+        if (!asked_.torque) ends.torque = std::fmax(ends.torque, torques.back());
+      }
+    }
+    if (!(ends.torque > 0))
+      throw InputError(
+          "study.torque: the drive holds no torque at these speeds, so that the map has "
+          "no upper end of its own; give one, such as 1 N.m");
+    return ends;
+  }
+
+  MapResult::Point point_at(const Motor& motor, double torque, double speed) const {
+    const HeldPoint held = held_point(motor.design(), torque, speed);
+    return {speed, torque, to_string(held.status), columns_.values(motor, torque, speed, held)};
+  }
+
+  MapResult without_members() const {
+    MapResult result;
+    result.family = family_, result.columns = columns_.names();
+    result.shown = columns_.shown(), result.efficiency = columns_.efficiency();
+    result.speed = ends().speed, result.torque = ends().torque;
+    result.speeds = asked_.points.speeds, result.torques = asked_.points.torques;
+    return result;
+  }
+
+  MapResult::Member member(const ResultStore& store, std::size_t number) const {
+    const auto& [value, motor] = motors_[number];
+    MapResult::Member member{value, ends().speeds[number], {}, {}, {}};
+    const auto first = static_cast<std::ptrdiff_t>(variables());
+    store.read(number, [&](const StoredRow& row) {
+      const auto at = row.values.begin() + first;
+      member.points.push_back({at[-2], at[-1], row.status, {at, row.values.end()}});
+    });
+    for (std::uint64_t i = 0; i < asked_.points.speeds; ++i)
+      member.envelope.push_back(corner_at(number, i));
+    for (const DutyPoint& duty : asked_.duty) member.duty.push_back(duty_of(motor, duty));
+    return member;
+  }
+
+  MapResult::Corner corner_at(std::size_t number, std::uint64_t i) const {
+    const double speed = speed_of(i), torque = ends().largest_torque[number][i];
+    MapResult::Corner corner{speed, torque, std::vector<double>(columns_.names().size(), kNone)};
+    // At the end itself rounding decides, and a millionth below what friction carries there is no wave (Y2.1).
+    if (!std::isnan(torque))
+      corner.values = point_at(motors_[number].motor, (1 - 1e-5) * torque, speed).values;
+    return corner;
+  }
+
+  MapResult::Duty duty_of(const Motor& motor, const DutyPoint& duty) const {
+    const HeldPoint held = held_point(motor.design(), duty.torque, duty.speed);
+    return {{duty.speed, duty.torque, to_string(held.status),
+             columns_.values(motor, duty.torque, duty.speed, held)},
+            held.status == HeldStatus::ok ? kNone : held.needed,
+            unit_of(held),
+            largest_torque(motor, duty.speed) - duty.torque};
+  }
+
+  MapStudy asked_;
+  std::vector<MappedMotor> motors_;
+  MapColumns columns_;
+  std::optional<StoredColumn> family_;
+  mutable std::mutex mutex_;  // of what follows
+  mutable std::optional<Ends> ends_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> MapStudy::run(const StudyFile& file) const {
+  return std::make_unique<MapRun>(*this, file.motor.design);
+}
+
+}  // namespace twum::studies
