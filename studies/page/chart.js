@@ -99,13 +99,14 @@ export function drawLabel(u, text, x, y, taken = [], points = []) {
   ctx.fillText(text, place.left, place.y);
 }
 
-/** A text in the middle of a line, which is left out behind it. */
+/** A text in the middle of a line, where there is room; the line is left out behind it. */
 function drawOnLine(u, text, x, y, taken) {
   const ratio = devicePixelRatio;
   const ctx = u.ctx;
   ctx.font = 11 * ratio + letters;
   const half = ctx.measureText(text).width / 2 + 2 * ratio;
   const middle = Math.min(Math.max(x, u.bbox.left + half), u.bbox.left + u.bbox.width - half);
+  if (taken.some((b) => middle - half < b.right && middle + half > b.left && Math.abs(y - b.y) < 14 * ratio)) return;
   taken.push({left: middle - half, right: middle + half, y});
   ctx.fillStyle = colour('card');
   ctx.fillRect(middle - half, y - 7 * ratio, 2 * half, 14 * ratio);
@@ -144,7 +145,8 @@ export function isInside(u, x, y) {
 export function drawMarks(u, marks, taken = [], others = []) {
   const ratio = devicePixelRatio;
   const ctx = u.ctx;
-  const there = marks.filter((m) => isInside(u, m.x, m.y));
+  const inside = marks.filter((m) => isInside(u, m.x, m.y));
+  const there = [...inside.filter((m) => m.dot !== false), ...inside.filter((m) => m.dot === false)];
   const points = there.some((m) => m.text) ? [...drawnPlaces(u), ...others] : [];
   ctx.save();
   ctx.beginPath();

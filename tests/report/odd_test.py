@@ -54,7 +54,7 @@ class Odd(Study):
         self.assertGreater(summary["curves"][0]["metrics"]["stall_torque"], 0.5)
         self.assertRegex(self.text(".verdict"), r"has no peak power that could be computed\. Its stall torque is \d+ mN·m\.")
         self.assertNotIn("drives no load", self.text(".verdict"))
-        self.assertIn("Points that failed or are incomplete", self.lines("h2"))
+        self.assertIn("Points: failed or incomplete", self.lines("h2"))
         # What a reason means is said with the words that the program has for it.
         meanings = self.browser.value("data.reasons")
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",

@@ -6,8 +6,10 @@
 #include <twum/io/words.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace twum::studies::telling {
 namespace {
@@ -175,31 +177,43 @@ Section map_section(const MapResult& answer, std::size_t number) {
   return section;
 }
 
-Section duties(const MapResult& answer) {
-  Section section{{"The duty"}, {"What the motor needs at the points that were asked for."}};
-  Table table{"duty", {{"motor"}, {"point"}, {"drive"}, {"torque left"}}, {}};
-  table.keys = 2;
-  std::vector<std::size_t> columns;
-  for (const char* name :
-       {"drive_frequency", "drive_voltage", "amplitude", "phase_current", "electrical_power",
-        "overall_efficiency", "efficiency", "wear_intensity"}) {
+std::vector<std::size_t> places_of(const MapResult& answer, std::span<const char* const> names) {
+  std::vector<std::size_t> places;
+  for (const char* name : names) {
     const auto at = std::ranges::find(answer.columns, name, &StoredColumn::name);
     if (at != answer.columns.end())
-      columns.push_back(static_cast<std::size_t>(at - answer.columns.begin()));
+      places.push_back(static_cast<std::size_t>(at - answer.columns.begin()));
   }
-  for (const std::size_t column : columns)
-    table.heads.push_back({name_part(answer.columns[column].name)});
+  return places;
+}
+
+// A row for each motor and point, with these columns of the map behind those of the table.
+void add_duty_rows(Table& table, const MapResult& answer, std::span<const char* const> names,
+                   bool first) {
+  const std::vector<std::size_t> places = places_of(answer, names);
+  for (const std::size_t place : places)
+    table.heads.push_back({name_part(answer.columns[place].name)});
   for (const Member& member : answer.members)
     for (const MapResult::Duty& duty : member.duty) {
-      std::vector<Phrase> row{member_phrase(answer, member),
-                              point_phrase(duty.at),
-                              reason_phrase(duty),
-                              {value_part(duty.torque_left, "N.m")}};
-      for (const std::size_t column : columns)
-        row.push_back({column_part(answer.columns[column], duty.at.values[column])});
+      std::vector<Phrase> row{member_phrase(answer, member), point_phrase(duty.at)};
+      if (first) row.insert(row.end(), {reason_phrase(duty), {value_part(duty.torque_left, "N.m")}});
+      for (const std::size_t place : places)
+        row.push_back({column_part(answer.columns[place], duty.at.values[place])});
       table.rows.push_back(std::move(row));
     }
-  section.tables = {table};
+}
+
+Section duties(const MapResult& answer) {
+  constexpr std::array kDrive{"drive_frequency", "drive_voltage", "amplitude"};
+  constexpr std::array kPower{"phase_current", "electrical_power", "overall_efficiency",
+                              "efficiency", "wear_intensity"};
+  Section section{{"The duty"}, {"What the motor needs at the points that were asked for."}};
+  Table drive{"duty", {{"motor"}, {"point"}, {"drive"}, {"torque left"}}, {}};
+  Table power{"duty-power", {{"motor"}, {"point"}}, {}};
+  drive.keys = power.keys = 2;
+  add_duty_rows(drive, answer, kDrive, true);
+  add_duty_rows(power, answer, kPower, false);
+  section.tables = {drive, power};
   return section;
 }
 

@@ -21,6 +21,9 @@ struct Box {
   double left, right, low, high;
 
   bool holds(double x, double y) const { return x > left && x < right && y > low && y < high; }
+  bool meets(const Box& o) const {
+    return left < o.right && o.left < right && low < o.high && o.low < high;
+  }
 };
 
 Box box_of(const PointMark& mark, const Scaled& s, Side side) {
@@ -60,16 +63,24 @@ std::size_t points_inside(const Box& box, const Scaled& s) {
   return count;
 }
 
-// The side where a text covers the fewest points, inside the panel.
-Side side_of(const PointMark& mark, const Scaled& s) {
+bool meets_any(const Box& box, const std::vector<Box>& others) {
+  return std::ranges::any_of(others, [&](const Box& other) { return box.meets(other); });
+}
+
+bool is_outside(const Box& box, const Scaled& s) {
+  return box.left < 0 || box.right > s.width || box.low < 0 || box.high > s.height;
+}
+
+// The side where a text covers the fewest points, inside the panel and off the texts that are there.
+Side side_of(const PointMark& mark, const Scaled& s, const std::vector<Box>& taken) {
   constexpr std::array<Side, 8> kSides = {
       {{1, 1}, {-1, 1}, {1, -1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   Side best = kSides[0];
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const Side side : kSides) {
     const Box box = box_of(mark, s, side);
-    const bool out = box.left < 0 || box.right > s.width || box.low < 0 || box.high > s.height;
-    const std::size_t covered = points_inside(box, s) + (out ? 100000 : 0);
+    const std::size_t covered = points_inside(box, s) + (meets_any(box, taken) ? 10000 : 0) +
+                                (is_outside(box, s) ? 100000 : 0);
     if (covered >= least) continue;
     least = covered;
     best = side;
@@ -77,17 +88,31 @@ Side side_of(const PointMark& mark, const Scaled& s) {
   return best;
 }
 
+std::string label_text(const PointMark& mark, const Scaled& s, Side side) {
+  const char* align = side.across > 0 ? "left" : side.across < 0 ? "right" : "center";
+  return "set label " + plot_text(mark.text) + " at first " +
+         plot_number(mark.x / s.x_unit.divisor) + ", first " +
+         plot_number(mark.y / s.y_unit.divisor) + " " + align + " offset character " +
+         plot_number(0.8 * side.across) + ", character " + plot_number(0.75 * side.up) +
+         " font 'Arial,11' noenhanced front " +
+         (mark.dot ? "point pointtype 7 pointsize 0.8 linecolor rgb '#000000'\n" : "boxed\n");
+}
+
+// Dots with their texts; then texts alone, where there is room.
 std::string marks_text(const Scaled& s) {
   std::string script;
+  std::vector<Box> taken;
   for (const PointMark& mark : s.panel.marks) {
-    const Side side = mark.dot ? side_of(mark, s) : Side{0, 0};
-    const char* align = side.across > 0 ? "left" : side.across < 0 ? "right" : "center";
-    script += "set label " + plot_text(mark.text) + " at first " +
-              plot_number(mark.x / s.x_unit.divisor) + ", first " +
-              plot_number(mark.y / s.y_unit.divisor) + " " + align + " offset character " +
-              plot_number(0.8 * side.across) + ", character " + plot_number(0.75 * side.up) +
-              " font 'Arial,11' noenhanced front " +
-              (mark.dot ? "point pointtype 7 pointsize 0.8 linecolor rgb '#000000'\n" : "boxed\n");
+    if (!mark.dot) continue;
+    const Side side = side_of(mark, s, taken);
+    taken.push_back(box_of(mark, s, side));
+    script += label_text(mark, s, side);
+  }
+  for (const PointMark& mark : s.panel.marks) {
+    const Box box = box_of(mark, s, {0, 0});
+    if (mark.dot || is_outside(box, s) || meets_any(box, taken)) continue;
+    taken.push_back(box);
+    script += label_text(mark, s, {0, 0});
   }
   return script;
 }
