@@ -71,7 +71,7 @@ TEST_CASE("spreads stand above their intervals", "[studies][uncertainty][words]"
   CHECK(torque["quantiles"] == Json{{"0.05", 0.5}, {"0.5", 0.6}});
   CHECK(torque["quantile_intervals"]["0.05"] == Json{{"low", 0.49}, {"high", 0.51}});
   CHECK(torque["missing"] == 0);
-  for (const char* absent : {"start", "yield", "limits", "without_value", "cut_off"})
+  for (const char* absent : {"start", "yield", "limits", "without_value", "inadmissible", "parts"})
     CHECK_FALSE(json.contains(absent));
 }
 
@@ -100,13 +100,15 @@ TEST_CASE("motors without an answer are counted where they are missed",
   CHECK(answer_json(result)["metrics"]["stall_torque"]["mean"].is_null());
 }
 
-TEST_CASE("a distribution that was cut off says by how much", "[studies][uncertainty][words]") {
+TEST_CASE("a distribution beyond the admissible range says by how much",
+          "[studies][uncertainty][words]") {
   UncertaintyResult result = spread();
   result.start = "../size";
-  result.cut_off = {{"preload", 0.0123}};
-  CHECK_THAT(sections_text(result), Contains("\n1.23 % of the distribution of preload is not "
-                                             "admissible and was cut off.\n"));
-  CHECK(answer_json(result)["cut_off"] == Json{{"preload", 0.0123}});
+  result.inadmissible = {{"preload", 0.0123}};
+  CHECK_THAT(sections_text(result),
+             Contains("\n1.23 % of the distribution of preload is not "
+                      "admissible: such motors have no value and keep no limit.\n"));
+  CHECK(answer_json(result)["inadmissible"] == Json{{"preload", 0.0123}});
   CHECK(answer_json(result)["start"] == "../size");
 }
 

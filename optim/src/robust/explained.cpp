@@ -46,7 +46,7 @@ std::vector<RiskShare> Explained::risks(const Verification& verified) const {
     RiskShare share{problem_.limits[terms[j].margin.response].name,
                     terms[j].margin.sign > 0.0 ? Side::lower : Side::upper, *terms[j].target,
                     beta_[j]};
-    for (const double a : points_[j].direction) share.importance.push_back(a * a);
+    share.importance = problem_.correlation.parts(points_[j].direction);
     share.multiplier = multiplier(j);
     share.converged = points_[j].converged;
     share.delta = round_.correction().delta[j];

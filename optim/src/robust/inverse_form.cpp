@@ -142,7 +142,10 @@ class InverseForm {
     return point;
   }
 
+  // With correlated inputs the sum of U3.2 is no sum of functions of one z_k each: it is taken to be linear in z.
   std::vector<double> target() const {
+    if (!problem_.correlation.independent())
+      return scaled(best_.by_normal, -side_ * std::abs(beta_) / norm(best_.by_normal));
     return LinearInBuilt(problem_, x_, scaled(best_.by_input, side_), std::abs(beta_)).least();
   }
 

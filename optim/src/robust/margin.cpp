@@ -41,9 +41,10 @@ double design_value(const RobustProblem& problem, std::span<const double> x, std
 std::vector<double> build(const RobustProblem& problem, std::span<const double> x,
                           std::span<const double> z) {
   std::vector<double> built(x.begin(), x.end());
+  const std::vector<double> y = problem.correlation.correlated({z.begin(), z.end()});
   for (std::size_t k = 0; k < problem.inputs.size(); ++k) {
     const RandomInput& input = problem.inputs[k];
-    const double value = input.at(design_value(problem, x, k), z[k]).value;
+    const double value = input.at(design_value(problem, x, k), y[k]).value;
     if (input.variable)
       built[*input.variable] = value;
     else
@@ -69,14 +70,16 @@ MarginPoint margin_at(const RobustProblem& problem, const Margin& margin, std::s
   point.by_design.assign(answer.jacobian.begin(),
                          answer.jacobian.begin() + static_cast<std::ptrdiff_t>(x.size()));
   const auto place = places(problem);
+  const std::vector<double> y = problem.correlation.correlated(point.z);
   for (std::size_t k = 0; k < problem.inputs.size(); ++k) {
-    const BuiltValue built = problem.inputs[k].at(design_value(problem, x, k), point.z[k]);
+    const BuiltValue built = problem.inputs[k].at(design_value(problem, x, k), y[k]);
     const double slope = answer.jacobian[place[k]];
     point.by_input.push_back(slope);
     point.by_normal.push_back(slope * built.by_normal);
     point.by_spread.push_back(slope * built.by_spread);
     if (problem.inputs[k].variable) point.by_design[place[k]] = slope * built.by_design;
   }
+  point.by_normal = problem.correlation.slopes(std::move(point.by_normal));
   return point;
 }
 

@@ -85,7 +85,8 @@ class RobustFrontSearch {
       const bool holds = worst_verdict(problem_, at.seen) == YieldVerdict::holds;
       if (holds || search_.stopped() || !options_.back_off || run == kMostStepsBack) break;
       risks = backed_off(problem_, std::move(risks), at.seen);
-      at.solved = along_ray(at.solved, f, risks, search_.plan(kProductsOfARayRound[1], 1));
+      at.solved = along_ray(at.solved, f, risks, search_.plan(kProductsOfARayRound[1], 1),
+                            search_.shifts_after(at.solved, at.seen));
     }
     drop_values(at.seen);
     return at;
@@ -94,9 +95,12 @@ class RobustFrontSearch {
   // The next round of a point: corrected by a sample about it, and solved along the ray through f. If that finds no
   // design, the point is unchanged.
   SolvedRound along_ray(const SolvedRound& at, const std::vector<double>& f,
-                        const std::vector<double>& risks, const SamplePlan& plan) {
+                        const std::vector<double>& risks, const SamplePlan& plan,
+                        std::vector<double> shifts = {}) {
+    Correction correction = search_.correction(at, plan);
+    if (!shifts.empty()) correction.shifts = std::move(shifts);
     const auto next = std::make_shared<const RobustRound>(
-        problem_, problem_.goals, risks, search_.correction(at, plan), options_.solve.seed);
+        problem_, problem_.goals, risks, std::move(correction), options_.solve.seed);
     if (search_.stopped()) return at;
     std::vector<double> start = at.result.design;
     start.push_back(0.0);

@@ -2,6 +2,7 @@
 #include "robust/robust_search.hpp"
 
 #include "robust/centres.hpp"
+#include "robust/statistic_verdict.hpp"
 #include "robust/verification.hpp"
 
 #include <twum/optim/certify.hpp>
@@ -81,6 +82,8 @@ YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& see
   for (std::size_t s = 0; s < seen.yields.size(); ++s)
     if (!is_goal(problem, s))
       worst = std::max(worst, verdict_on(seen.yields[s], problem.yields[s].at_least));
+  for (std::size_t s = 0; s < seen.statistics.size(); ++s)
+    worst = std::max(worst, verdict_on(problem.statistics[s], seen.statistics[s]));
   return worst;
 }
 
@@ -242,9 +245,35 @@ SolvedRound RobustSearch::solve(std::shared_ptr<const RobustRound> round,
 SolvedRound RobustSearch::solve_again(const SolvedRound& from,
                                       const std::vector<RobustObjective>& goals,
                                       const std::vector<double>& risks) {
-  return solve(std::make_shared<const RobustRound>(problem_, goals, risks, from.round->correction(),
+  return solve_again(from, goals, risks, from.round->correction().shifts);
+}
+
+SolvedRound RobustSearch::solve_again(const SolvedRound& from,
+                                      const std::vector<RobustObjective>& goals,
+                                      const std::vector<double>& risks,
+                                      std::vector<double> shifts) {
+  Correction correction = from.round->correction();
+  correction.shifts = std::move(shifts);
+  return solve(std::make_shared<const RobustRound>(problem_, goals, risks, std::move(correction),
                                                    options_.solve.seed),
                from.result.design);
+}
+
+// U5.8; a statistic whose limit holds keeps what it has.
+std::vector<double> RobustSearch::shifts_after(const SolvedRound& solved,
+                                               const Verification& seen) const {
+  const RobustRound& round = *solved.round;
+  std::vector<double> shifts = round.correction().shifts;
+  if (seen.statistics.empty()) return shifts;
+  const auto worst = round.points(solved.result.design);
+  for (std::size_t s = 0; s < shifts.size(); ++s) {
+    const StatisticTarget& target = problem_.statistics[s];
+    if (verdict_on(target, seen.statistics[s]) == YieldVerdict::holds) continue;
+    const Moment searched = round.statistic(solved.result.design, s, worst);
+    if (searched.failure.empty())
+      shifts[s] = statistic_shift(target, seen.statistics[s], searched.value);
+  }
+  return shifts;
 }
 
 Certificate RobustSearch::certified(const SolvedRound& solved) const {
@@ -321,6 +350,7 @@ Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan&
   Centres centres(problem_, terms_, design(solved), beta, round.points(solved.result.design));
   const ImportanceSample sample = centres.sample(plan);
   Correction next = Correction::none(terms_);
+  next.shifts = round.correction().shifts;
   for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
     if (!centres.holds(j)) continue;
     next.directions[j] = centres.points()[j].direction;

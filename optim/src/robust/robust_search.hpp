@@ -28,7 +28,7 @@ std::vector<double> aimed_risks(const RobustProblem& problem);
 /// U5.4: the risks to aim at next, after an independent sample.
 std::vector<double> backed_off(const RobustProblem& problem, std::vector<double> risks,
                                const Verification& seen);
-/// The verdict on the target with the worst result, U5.3.
+/// The verdict on the target or the limited statistic with the worst result, U5.3, U5.7.
 YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& seen);
 /// Whether the intervals of all yields show less than half of the risk that is allowed: more products would not change
 /// the verdict, U5.3a. False if a yield is a goal.
@@ -49,6 +49,11 @@ class RobustSearch {
   /// Solves for goals under these risks, starting from a solved round and with its correction.
   SolvedRound solve_again(const SolvedRound& from, const std::vector<RobustObjective>& goals,
                           const std::vector<double>& risks);
+  /// The same with other shifts of the limited statistics, U5.8.
+  SolvedRound solve_again(const SolvedRound& from, const std::vector<RobustObjective>& goals,
+                          const std::vector<double>& risks, std::vector<double> shifts);
+  /// The shifts with which the next independent sample is likely to confirm the limited statistics.
+  std::vector<double> shifts_after(const SolvedRound& solved, const Verification& seen) const;
   /// U4.5: alternates samples and rounds until the sampled risk equals the one aimed at.
   SolvedRound corrected(SolvedRound solved);
   /// Whether a limit that scatters holds the goal back at a solved round, so that the answer rests on its risk.

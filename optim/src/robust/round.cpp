@@ -73,7 +73,7 @@ Objective objective_of(const RobustProblem& problem, const RobustObjective& goal
 
 }  // namespace
 
-RobustTerms::RobustTerms(const RobustProblem& problem) {
+RobustTerms::RobustTerms(const RobustProblem& problem) : statistics(problem.statistics.size()) {
   for (std::size_t s = 0; s < problem.yields.size(); ++s) {
     of_target.emplace_back();
     for (const std::size_t response : problem.yields[s].limits) {
@@ -102,7 +102,8 @@ Correction Correction::none(const RobustTerms& terms) {
   return {std::vector<double>(terms.terms.size(), 0.0),
           std::vector<double>(terms.of_target.size(), 0.0),
           std::vector<std::vector<Overlap>>(terms.of_target.size()),
-          std::vector<std::vector<double>>(terms.terms.size())};
+          std::vector<std::vector<double>>(terms.terms.size()),
+          std::vector<double>(terms.statistics, 0.0)};
 }
 
 RobustRound::RobustRound(const RobustProblem& problem, std::vector<RobustObjective> goals,
@@ -243,6 +244,13 @@ LineOf RobustRound::statistic_row(std::span<const double> y, std::size_t index,
   return row;
 }
 
+LineOf RobustRound::limited_statistic_row(std::span<const double> y, std::size_t index,
+                                          const std::vector<InversePoint>& worst) const {
+  LineOf row = statistic_row(y, index, worst);
+  row.value += correction_.shifts[index];
+  return row;
+}
+
 LineOf RobustRound::goal_row(std::span<const double> y, const RobustObjective& goal,
                              const Evaluation& design,
                              const std::vector<InversePoint>& worst) const {
@@ -271,7 +279,7 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
     if (!is_goal(s))
       rows.add(subtracted(std::log(risks_[s] * (1.0 + correction_.kappa[s])), log_risk_row(y, s)));
   for (std::size_t s = 0; s < problem_.statistics.size(); ++s)
-    if (is_limited(problem_.statistics[s])) rows.add(statistic_row(y, s, worst));
+    if (is_limited(problem_.statistics[s])) rows.add(limited_statistic_row(y, s, worst));
   return std::move(rows).answer();
 }
 

@@ -23,6 +23,7 @@ struct RobustTerms {
 
   std::vector<RobustTerm> terms;
   std::vector<std::vector<std::size_t>> of_target;  ///< terms of each yield target
+  std::size_t statistics{0};                        ///< of the problem
 
   /// Index of a term: a variable of the search, or fixed.
   double beta(std::span<const double> y, std::size_t variables, std::size_t term) const;
@@ -35,6 +36,7 @@ struct Correction {
   std::vector<std::vector<Overlap>> overlaps;  ///< of each target, positions within it
   /// start directions of U3.2, one for each term; may be empty
   std::vector<std::vector<double>> directions;
+  std::vector<double> shifts;  ///< of each statistic where it is limited, U5.8
 
   static Correction none(const RobustTerms& terms);
 };
@@ -88,6 +90,8 @@ class RobustRound {
   LineOf log_risk_row(std::span<const double> y, std::size_t target) const;
   LineOf statistic_row(std::span<const double> y, std::size_t index,
                        const std::vector<InversePoint>& worst) const;
+  LineOf limited_statistic_row(std::span<const double> y, std::size_t index,
+                               const std::vector<InversePoint>& worst) const;
   LineOf goal_row(std::span<const double> y, const RobustObjective& goal, const Evaluation& design,
                   const std::vector<InversePoint>& worst) const;
   std::size_t variables() const { return problem_.design.variables.size(); }

@@ -147,7 +147,8 @@ class RobustSolve {
       if (search_.stopped() || judge() || run == kMostBackOffs || !options_.back_off) return;
       if (solved.round->seeks_yield() && !is_goal(0)) return;
       risks = backed_off(problem_, std::move(risks), result_.verification);
-      SolvedRound next = search_.solve_again(solved, problem_.goals, risks);
+      SolvedRound next = search_.solve_again(solved, problem_.goals, risks,
+                                             search_.shifts_after(solved, result_.verification));
       if (next.feasible()) next = search_.correct_once(next, kProductsOfALastRound, 1);
       if (!next.feasible()) return;
       solved = std::move(next);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/verification.hpp"
 
+#include "robust/statistic_verdict.hpp"
+
 #include <twum/base/no_value.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/random.hpp>
@@ -40,15 +42,17 @@ Evaluation fresh_product(const RobustProblem& problem, std::span<const double> x
 constexpr std::uint64_t kParts = 32;
 
 // U6.6: d/ds of a normal density is (z^2 - 1) / s of it, so that 1 % less of every spread changes the share of the good ones
-// by the mean of (z_k^2 - 1) / 100 over the failing products. No derivative of a response is needed.
+// by the mean of (z_k^2 - 1) / 100 over the failing products; with correlated inputs the part of U1.10 stands for the square. No
+// derivative of a response is needed.
 class TighterYields {
  public:
   explicit TighterYields(const RobustProblem& problem)
       : problem_(problem), sums_(problem.inputs.size()), squares_(problem.inputs.size()) {}
 
   void see_failing(std::span<const double> z) {
+    const std::vector<double> squares = problem_.correlation.parts(z);
     for (std::size_t k = 0; k < z.size(); ++k) {
-      const double score = 0.01 * (z[k] * z[k] - 1.0);
+      const double score = 0.01 * (squares[k] - 1.0);
       sums_[k] += score;
       squares_[k] += score * score;
     }
@@ -111,6 +115,8 @@ class CountedProducts {
       found_.term_shares.push_back(static_cast<double>(failed) /
                                    static_cast<double>(std::max<std::uint64_t>(made_, 1)));
     if (made_ > 0 && !good_.empty()) found_.tighter = tighter_.of(made_);
+    for (const StatisticTarget& target : problem_.statistics)
+      found_.statistics.push_back(statistic_estimate(target, found_.values[target.response]));
     return std::move(found_);
   }
 

@@ -129,7 +129,7 @@ struct PathEntry {
 std::vector<PathEntry> path_entries(YamlNode& study) {
   std::vector<PathEntry> list;
   for (YamlEntry& entry : study.entries) {
-    if (entry.key != "data" && entry.key != "start") continue;
+    if (entry.key != "data" && entry.key != "start" && entry.key != "parts") continue;
     if (entry.value.kind != YamlNode::Kind::list) list.push_back({entry.key, &entry.value});
     for (std::size_t k = 0; k < entry.value.items.size(); ++k)
       list.push_back(

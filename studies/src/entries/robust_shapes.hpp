@@ -51,6 +51,11 @@ Field<S> tolerances_field() {
                             &S::tolerances, "every motor equals the design"));
 }
 
+template <typename S>
+Field<S> correlations_field() {
+  return hidden(optional<S>("correlations", correlations(), &S::correlations, "none"));
+}
+
 /// Adds errors for tolerances that a search cannot use, for statistics without tolerances, and for tolerances without
 /// statistics.
 void check_statistics(const std::vector<Tolerance>& tolerances,

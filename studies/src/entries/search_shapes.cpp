@@ -57,6 +57,7 @@ template <typename T>
 bool check_robust_search(T& study, const Given& given, Diagnostics& diagnostics) {
   check_search(study, given, diagnostics);
   check_statistics(study.tolerances, study.statistics, given, diagnostics);
+  check_correlations(study.tolerances, study.correlations, given, "tolerances", diagnostics);
   return true;
 }
 
@@ -214,6 +215,7 @@ Shape<OptimizeStudy> OptimizeStudy::shape() {
   fields.push_back(goal(&S::objective));
   fields.push_back(limits_field("constraints", &S::constraints));
   fields.push_back(tolerances_field<S>());
+  fields.push_back(correlations_field<S>());
   fields.push_back(solver_field<S>());
   fields.push_back(start_field<S>());
   return mapping<S>("best design under constraints", fields, check_robust_search<S>);
@@ -223,13 +225,14 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   using S = ParetoStudy;
   auto objectives = list("two or three objectives", objective(), 2, 3);
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
-  return mapping<S>("trade-off front of two or three metrics",
-                    {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-                     choose_field<S>(), required<S>("objectives", objectives, &S::objectives),
-                     limits_field("constraints", &S::constraints), tolerances_field<S>(),
-                     standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
-                     solver_field<S>(), start_field<S>()},
-                    check_front);
+  return mapping<S>(
+      "trade-off front of two or three metrics",
+      {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
+       choose_field<S>(), required<S>("objectives", objectives, &S::objectives),
+       limits_field("constraints", &S::constraints), tolerances_field<S>(), correlations_field<S>(),
+       standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
+       solver_field<S>(), start_field<S>()},
+      check_front);
 }
 
 // At rest friction holds a load without a wave, and no drive follows.
@@ -260,7 +263,7 @@ Shape<SizeStudy> SizeStudy::shape() {
                "follows and holds each of them",
                {"fixed", "follows"}),
            &S::drive),
-       limits_field("limits", &S::limits), tolerances_field<S>(),
+       limits_field("limits", &S::limits), tolerances_field<S>(), correlations_field<S>(),
        standard<S>(
            "prefer",
            wanted("what is minimized among the motors that carry the duty", false, "max_pressure"),

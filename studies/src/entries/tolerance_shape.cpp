@@ -8,6 +8,8 @@
 #include <twum/io/words.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace twum::studies::shapes {
 namespace {
@@ -66,6 +68,9 @@ Entries entries_of(Shape_ shape) {
     case Shape_::normal:
     case Shape_::lognormal: return {{"sd"}, {}};
     case Shape_::uniform: return {{"range"}, {"min", "max"}};
+    case Shape_::truncated:
+    case Shape_::beta: return {{"sd", "from", "to"}, {}};
+    case Shape_::weibull: return {{"sd"}, {}};
     case Shape_::triangular: break;
   }
   return {{"below", "above"}, {"min", "mode", "max"}};
@@ -107,7 +112,8 @@ bool check_entries(Shape_ shape, const Given& given, Diagnostics& diagnostics) {
   for (const YamlEntry& entry : given.node().entries) {
     const bool known =
         entry.key == "distribution" || has(own, entry.key) || (!between && entry.key == "mean");
-    if (known || !has({"mean", "sd", "range", "below", "above", "min", "mode", "max"}, entry.key))
+    if (known || !has({"mean", "sd", "range", "below", "above", "min", "mode", "max", "from", "to"},
+                      entry.key))
       continue;
     diagnostics.add(entry.key_mark, given.path(entry.key),
                     "does not describe a " + std::string(to_string(shape)) + " distribution",
@@ -129,6 +135,8 @@ bool check_order(const Tolerance& value, const Given& given, Diagnostics& diagno
     return !both || rising(given, low, *a, high, *b, diagnostics);
   };
   if (value.shape == Shape_::uniform) return rises("min", value.min, "max", value.max);
+  if (value.shape == Shape_::truncated || value.shape == Shape_::beta)
+    return rises("from", value.from, "to", value.to);
   if (value.shape != Shape_::triangular) return true;
   const bool low = rises("min", value.min, "mode", value.mode);
   return rises("mode", value.mode, "max", value.max) && low;
@@ -148,16 +156,19 @@ Shape<Tolerance> spelled_out(const ParameterInfo& row) {
   return mapping<T>(
       std::string(row.text),
       {optional<T>("distribution",
-                   word<Shape_>("its shape", {"normal", "uniform", "lognormal", "triangular"}),
+                   word<Shape_>("its shape", {"normal", "uniform", "lognormal", "triangular",
+                                              "truncated", "weibull", "beta"}),
                    &T::shape, "normal; with 'range' uniform"),
        number("mean", &T::mean, "the design's value"),
-       width("sd", "standard deviation, of a normal or lognormal one", &T::sd),
+       width("sd", "standard deviation, but of a uniform or triangular one", &T::sd),
        width("range", "half width, of a uniform one", &T::range),
        width("below", "width below the design's value, of a triangular one", &T::below),
        width("above", "width above the design's value, of a triangular one", &T::above),
        number("min", &T::min, "none: no fixed values"),
        number("mode", &T::mode, "none: no fixed values"),
-       number("max", &T::max, "none: no fixed values")},
+       number("max", &T::max, "none: no fixed values"),
+       number("from", &T::from, "none: of a truncated (normal) or beta distribution"),
+       number("to", &T::to, "none: likewise")},
       [](T& into, const Given& given, Diagnostics& diagnostics) {
         const YamlNode* named = given.find("distribution");
         if (named == nullptr && given.find("range") != nullptr) into.shape = Shape_::uniform;
@@ -183,10 +194,83 @@ Shape<Tolerance> tolerance(const ParameterInfo& row) {
   return shape;
 }
 
+// [NAME, NAME, COEFFICIENT]
+Shape<ToleranceCorrelation> correlation() {
+  Shape<ToleranceCorrelation> shape;
+  shape.schema.kind = ValueKind::list;
+  shape.schema.text = "two parameters and the coefficient of their correlation, between -1 and 1";
+  shape.schema.example = "[preload, kinetic_friction, 0.7]";
+  shape.schema.min_items = shape.schema.max_items = 3;
+  shape.schema.items.push_back(path("a parameter, or the coefficient", "preload").schema);
+  shape.read = [schema = kept(shape.schema)](ToleranceCorrelation& into, const YamlNode& node,
+                                             const Spot& spot, Diagnostics& diagnostics) {
+    const auto wrong = [&](const YamlNode& at, std::string found) {
+      diagnostics.add(at.mark, spot.path, std::move(found),
+                      "expected two parameters and a number between -1 and 1, such as "
+                      "[preload, kinetic_friction, 0.7]");
+      return false;
+    };
+    if (node.kind == YamlNode::Kind::refused) return false;
+    if (node.kind != YamlNode::Kind::list || node.items.size() != 3)
+      return wrong(node, std::string(kind_phrase(node.kind)));
+    const auto a = find_parameter(node.items[0].scalar), b = find_parameter(node.items[1].scalar);
+    const auto coefficient = parse_number(node.items[2].scalar);
+    if (!a) return wrong(node.items[0], quoted(node.items[0].scalar));
+    if (!b) return wrong(node.items[1], quoted(node.items[1].scalar));
+    if (!coefficient || !(std::fabs(*coefficient) < 1))
+      return wrong(node.items[2], quoted(node.items[2].scalar));
+    into = {*a, *b, *coefficient};
+    return true;
+  };
+  shape.write = [](const ToleranceCorrelation& value) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::list;
+    node.items = {scalar_node(std::string(info(value.a).name)),
+                  scalar_node(std::string(info(value.b).name)),
+                  scalar_node(number_text(value.coefficient))};
+    return node;
+  };
+  return shape;
+}
+
 }  // namespace
 
 Shape<std::vector<Tolerance>> tolerances(std::string text) {
   return by_parameter<Tolerance>(tolerance, std::move(text), kTolerances);
+}
+
+Shape<std::vector<ToleranceCorrelation>> correlations() {
+  auto shape = list("parameters that scatter together", correlation());
+  shape.schema.example = "[[preload, kinetic_friction, 0.7]]";
+  return shape;
+}
+
+void check_correlations(const std::vector<Tolerance>& tolerances,
+                        const std::vector<ToleranceCorrelation>& correlations, const Given& given,
+                        const std::string& of, Diagnostics& diagnostics) {
+  const YamlNode* list = given.right("correlations");
+  if (list == nullptr) return;
+  const auto add = [&](std::size_t i, std::string found, std::string expected) {
+    diagnostics.add(list->items[i].mark, given.path("correlations") + "[" + std::to_string(i) + "]",
+                    std::move(found), std::move(expected));
+  };
+  const std::vector<optim::CorrelatedPair> pairs = correlated_pairs(tolerances, correlations);
+  bool known = true;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (const auto& [place, parameter] :
+         {std::pair(pairs[i].a, correlations[i].a), std::pair(pairs[i].b, correlations[i].b)}) {
+      if (place < tolerances.size()) continue;
+      add(i, quoted(info(parameter).name) + " does not scatter", "add it to '" + of + "'");
+      known = false;
+    }
+  if (!known) return;
+  if (const auto wrong = optim::Correlation::wrong_pair(tolerances.size(), pairs))
+    add(*wrong,
+        quoted(info(correlations[*wrong].a).name) + " and " +
+            quoted(info(correlations[*wrong].b).name) + " with " +
+            number_text(correlations[*wrong].coefficient),
+        "expected a pair of its own, and a coefficient that agrees with the others: no parameters "
+        "have all of these correlations at once, where pairs that are not named are independent");
 }
 
 void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesign& design,

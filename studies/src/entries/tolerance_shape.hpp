@@ -14,6 +14,15 @@ namespace twum::studies::shapes {
 /// Tolerances by parameter: `preload: 3 %`, or a mapping with the distribution.
 Shape<std::vector<Tolerance>> tolerances(std::string text);
 
+/// Parameters that scatter together: `[[preload, kinetic_friction, 0.7], ...]`.
+Shape<std::vector<ToleranceCorrelation>> correlations();
+
+/// Adds an error for a correlation of a parameter without a tolerance, and for one that contradicts the others.
+/// @param of  the entry with the tolerances
+void check_correlations(const std::vector<Tolerance>& tolerances,
+                        const std::vector<ToleranceCorrelation>& correlations, const Given& given,
+                        const std::string& of, Diagnostics& diagnostics);
+
 /// Adds errors for tolerances that do not fit the design.
 /// @param mapping  the mapping of tolerances in the file, at `path`
 void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesign& design,

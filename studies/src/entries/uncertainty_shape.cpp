@@ -14,6 +14,10 @@ namespace {
 // Each probability may occur only once; 5 % equals 0.05.
 bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics& diagnostics) {
   check_repeats(given, diagnostics);
+  if (given.find("variables") == nullptr && given.find("parts") == nullptr)
+    diagnostics.add(given.node().mark, given.path("variables"), "missing",
+                    "give 'variables' with their tolerances, or 'parts' that were measured");
+  check_correlations(study.variables, study.correlations, given, "variables", diagnostics);
   if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
     diagnostics.add(given.node().mark, given.path("metrics"), "missing",
                     "give 'metrics' to compute their spread, or 'limits' to compute the yield");
@@ -33,7 +37,15 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
   quantiles.schema.example = "[0.05, 0.5, 0.95]";
   return mapping<S>(
       "spread and yield under tolerances",
-      {kind_field<S>(), required<S>("variables", tolerances("what is uncertain"), &S::variables),
+      {kind_field<S>(),
+       optional<S>("variables", tolerances("what is uncertain"), &S::variables,
+                   "none; parts scatter"),
+       hidden(optional<S>("correlations", shapes::correlations(), &S::correlations, "none")),
+       hidden(optional<S>("parts",
+                          path("table of measured parts, which are drawn whole, with a column for "
+                               "each of their parameters and if need be 'weight'",
+                               "parts.csv"),
+                          &S::parts, "none")),
        derived_field<S>(),
        optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),

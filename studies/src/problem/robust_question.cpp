@@ -39,7 +39,10 @@ optim::Law law_of(Tolerance::Shape shape) {
     case Tolerance::Shape::normal: return optim::Law::normal;
     case Tolerance::Shape::lognormal: return optim::Law::lognormal;
     case Tolerance::Shape::uniform: return optim::Law::uniform;
-    case Tolerance::Shape::triangular: break;
+    case Tolerance::Shape::triangular:
+    case Tolerance::Shape::truncated:
+    case Tolerance::Shape::weibull:
+    case Tolerance::Shape::beta: break;  // these three are refused
   }
   return optim::Law::triangular;
 }
@@ -130,6 +133,8 @@ class RobustBuilder {
     problem.design = design();
     for (const Tolerance& tolerance : question_.tolerances)
       problem.inputs.push_back(input_of(question_, tolerance));
+    problem.correlation = {problem.inputs.size(),
+                           correlated_pairs(question_.tolerances, question_.correlations)};
     for (const StatisticRequest* statistic : statistics_of(question_)) ask(*statistic);
     const auto motors = std::make_shared<const BuiltMotors>(asked_);
     for (const MotorLimit& limit : asked_.limits)
@@ -253,6 +258,10 @@ std::optional<ValueError> search_complaint(const Tolerance& tolerance) {
     return ValueError(
         "gives the centre of the distribution",
         "in a search the design's value is the centre: give only the spread, such as '3 %'");
+  if (tolerance.shape > Tolerance::Shape::triangular)
+    return ValueError("a " + std::string(to_string(tolerance.shape)) + " distribution in a search",
+                      "give a normal, uniform, lognormal or triangular one, or use an uncertainty "
+                      "study");
   if (info(tolerance.parameter).integer)
     return ValueError("a whole number cannot have a tolerance in a search",
                       "leave it out of the tolerances, or use an uncertainty study");

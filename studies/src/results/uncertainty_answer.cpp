@@ -68,10 +68,9 @@ Json answer_json(const UncertaintyResult& result) {
                                 {"kept", estimate_json(limit.kept)}});
     json["without_value"] = result.no_value;
   }
-  if (!result.cut_off.empty()) {
-    for (const UncertaintyResult::CutOff& cut : result.cut_off)
-      json["cut_off"][cut.variable] = cut.share;
-  }
+  for (const UncertaintyResult::Inadmissible& one : result.inadmissible)
+    json["inadmissible"][one.variable] = one.share;
+  if (!result.parts.empty()) json["parts"] = {{"file", result.parts}, {"count", result.part_count}};
   return json;
 }
 

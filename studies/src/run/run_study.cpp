@@ -144,7 +144,7 @@ class KeptRun {
     const std::string hash = stored->fact(facts::kHash);
     if (hash.empty() || stored->rows() == 0) return nullptr;
     std::vector<std::string> differ;
-    if (hash != study_.hash()) {
+    if (hash != study_.hash() && !begins_here(*stored)) {
       differ = differences(stored->fact(facts::kStudyText), study_.text());
       if (stored->fact(facts::kFiles) != files_text(study_))
         differ.emplace_back("the content of a file that the study names");
@@ -153,7 +153,27 @@ class KeptRun {
       differ.push_back("twum: " + stored->fact(facts::kVersion) + " there, " + version() + " here");
     if (!differ.empty()) refuse("holds the results of another study; it differs in", differ);
     check_repeats(*stored);
+    if (hash != study_.hash()) grow(*stored);
     return stored;
+  }
+
+  // Whether the study differs from that of the rows only in having more of them.
+  bool begins_here(const ResultStore& stored) const {
+    const std::string entry(kind_->grows_by());
+    const std::vector<std::string> differ =
+        differences(stored.fact(facts::kStudyText), study_.text());
+    const bool alone = differ.empty() || (differ.size() == 1 && !entry.empty() &&
+                                          differ.front().starts_with(entry + ": "));
+    if (!alone || stored.fact(facts::kFiles) != files_text(study_)) return false;
+    const std::uint64_t last = stored.rows() - 1;
+    return kind_->recompute({0, last, {}, "ok", {}}).has_value();
+  }
+
+  // The rows now belong to this study. Its hash comes last: a run that ends before it begins anew here.
+  void grow(ResultStore& stored) const {
+    stored.set_fact(facts::kComplete, "");
+    stored.set_fact(facts::kStudyText, study_.text());
+    stored.set_fact(facts::kHash, study_.hash());
   }
 
   // Another build of this version may compute other numbers, and one result would mix the two.

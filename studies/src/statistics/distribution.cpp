@@ -3,10 +3,32 @@
 #include <twum/optim/distributions.hpp>
 #include <twum/studies/distribution.hpp>
 
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace twum::studies {
+
+namespace {
+
+// Squared standard deviation over squared mean of a Weibull distribution; falls with its exponent.
+double weibull_ratio(double exponent) {
+  return std::expm1(std::lgamma(1 + 2 / exponent) - 2 * std::lgamma(1 + 1 / exponent));
+}
+
+double weibull_exponent(double ratio) {
+  const double wanted = std::log(ratio * ratio);
+  std::uintmax_t steps = 200;
+  const auto found = boost::math::tools::toms748_solve(
+      [&](double e) { return std::log(weibull_ratio(std::exp(e))) - wanted; }, std::log(0.1),
+      std::log(1e4), boost::math::tools::eps_tolerance<double>(50), steps);
+  return std::exp(0.5 * (found.first + found.second));
+}
+
+}  // namespace
 
 Distribution Distribution::normal(double mean, double sd) { return {Shape::normal, mean, sd}; }
 
@@ -22,6 +44,20 @@ Distribution Distribution::uniform(double min, double max) { return {Shape::unif
 
 Distribution Distribution::triangular(double min, double mode, double max) {
   return {Shape::triangular, min, max, mode};
+}
+
+Distribution Distribution::weibull(double mean, double sd) {
+  TWUM_ASSERT(mean > 0);
+  const double exponent = weibull_exponent(sd / mean);
+  return {Shape::weibull, mean / std::exp(std::lgamma(1 + 1 / exponent)), exponent};
+}
+
+Distribution Distribution::beta(double mean, double sd, double min, double max) {
+  // Of the share (x - min) / (max - min): mean m, variance v; the exponents are m n and (1 - m) n, n + 1 = m (1 - m) / v.
+  const double m = (mean - min) / (max - min), s = sd / (max - min);
+  const double n = m * (1 - m) / (s * s) - 1;
+  TWUM_ASSERT(n > 0);
+  return {Shape::beta, min, max, m * n, (1 - m) * n};
 }
 
 Distribution Distribution::within(double min, double max) const {
@@ -42,6 +78,11 @@ double Distribution::quantile(double p) const {
   return std::clamp(whole_quantile(inside), min_, max_);
 }
 
+double Distribution::cdf(double x) const {
+  if (!limited_) return whole_cdf(x);
+  return (whole_cdf(std::clamp(x, min_, max_)) - bottom_) / (top_ - bottom_);
+}
+
 double Distribution::whole_cdf(double x) const {
   switch (shape_) {
     case Shape::normal: return optim::normal_cdf((x - a_) / b_);
@@ -51,6 +92,10 @@ double Distribution::whole_cdf(double x) const {
       if (x <= a_ || x >= b_) return x <= a_ ? 0 : 1;
       if (x <= c_) return (x - a_) / (b_ - a_) * ((x - a_) / (c_ - a_));
       return 1 - (b_ - x) / (b_ - a_) * ((b_ - x) / (b_ - c_));
+    case Shape::weibull: return x > 0 ? -std::expm1(-std::pow(x / a_, b_)) : 0;
+    case Shape::beta:
+      return boost::math::cdf(boost::math::beta_distribution<>(c_, d_),
+                              std::clamp((x - a_) / (b_ - a_), 0.0, 1.0));
   }
   TWUM_ASSERT(false);
   return 0;
@@ -64,6 +109,9 @@ double Distribution::whole_quantile(double p) const {
     case Shape::triangular:
       if (p * (b_ - a_) <= c_ - a_) return a_ + std::sqrt(p * (b_ - a_) * (c_ - a_));
       return b_ - std::sqrt((1 - p) * (b_ - a_) * (b_ - c_));
+    case Shape::weibull: return a_ * std::pow(-std::log1p(-p), 1 / b_);
+    case Shape::beta:
+      return a_ + (b_ - a_) * boost::math::quantile(boost::math::beta_distribution<>(c_, d_), p);
   }
   TWUM_ASSERT(false);
   return 0;

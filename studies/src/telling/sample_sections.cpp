@@ -67,9 +67,12 @@ std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
   for (const UncertaintyResult::Metric& metric : answer.metrics)
     if (const std::uint64_t missing = answer.samples - metric.count; missing > 0)
       list.push_back(missing_phrase(metric, missing));
-  for (const UncertaintyResult::CutOff& cut : answer.cut_off)
-    list.push_back({share_part(cut.share), " of the distribution of ", name_part(cut.variable),
-                    " is not admissible and was cut off."});
+  if (!answer.parts.empty())
+    list.push_back({"Drawn whole from " + counted(answer.part_count, "measured part") + " in " +
+                    quoted(answer.parts) + "."});
+  for (const UncertaintyResult::Inadmissible& one : answer.inadmissible)
+    list.push_back({share_part(one.share), " of the distribution of ", name_part(one.variable),
+                    " is not admissible: such motors have no value and keep no limit."});
   return list;
 }
 

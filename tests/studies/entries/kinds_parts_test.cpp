@@ -275,17 +275,17 @@ TEST_CASE("a limit that is also a metric is one column, wherever it stands",
   }
 }
 
-TEST_CASE("what tolerances cut off is told where it is more than rounding",
+TEST_CASE("what no motor can have of a tolerance is told where it is more than rounding",
           "[studies][uncertainty]") {
   const StudyResult result = run_in_memory(
       "{kind: uncertainty, samples: 3, metrics: [stall_torque], variables: {kinetic_friction: "
       "{distribution: normal, mean: 0.1, sd: 0.04}, preload: {distribution: normal, mean: 160 N, "
       "sd: 5 N}}}");
-  const auto& cut = std::get<UncertaintyResult>(result.answer).cut_off;
-  REQUIRE(cut.size() == 1);
-  CHECK(cut[0].variable == "kinetic_friction");
+  const auto& outside = std::get<UncertaintyResult>(result.answer).inadmissible;
+  REQUIRE(outside.size() == 1);
+  CHECK(outside[0].variable == "kinetic_friction");
   // Friction is not below 0, which is 2.5 standard deviations off.
-  CHECK(cut[0].share == Approx(std::erfc(2.5 / std::sqrt(2.0)) / 2).epsilon(1e-9));
+  CHECK(outside[0].share == Approx(std::erfc(2.5 / std::sqrt(2.0)) / 2).epsilon(1e-9));
 }
 
 TEST_CASE("the median of stored numbers is the lower middle one of their order",

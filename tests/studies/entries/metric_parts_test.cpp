@@ -8,8 +8,7 @@
 #include <twum/core/motor.hpp>
 #include <twum/studies/distribution.hpp>
 #include <twum/studies/elementary_effects.hpp>
-#include <twum/studies/moments.hpp>
-#include <twum/studies/quantiles.hpp>
+#include <twum/studies/estimate.hpp>
 #include <twum/studies/sobol_indices.hpp>
 
 #include <catch2/catch.hpp>

@@ -8,8 +8,7 @@
 #include <twum/io/diagnostics.hpp>
 #include <twum/motors/design_table.hpp>
 #include <twum/motors/model_notes.hpp>
-#include <twum/studies/moments.hpp>
-#include <twum/studies/quantiles.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <catch2/catch.hpp>
 

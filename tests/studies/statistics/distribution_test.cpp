@@ -90,3 +90,30 @@ TEST_CASE("limits cut off what is not admissible, and say how much", "[studies][
   CHECK(Distribution::triangular(0, 0, 4).within(-1, 1).cut_off() == Approx(9.0 / 16));
   CHECK(Distribution::normal(160, 8).within(0, kInfinity).cut_off() == 0);
 }
+
+TEST_CASE("Weibull and beta distributions have the mean and sd that were asked",
+          "[studies][distribution]") {
+  for (const double sd : {0.02, 0.3, 0.8}) {
+    CAPTURE(sd);
+    const MeanAndSd found = integrated(Distribution::weibull(1, sd));
+    CHECK(found.mean == Approx(1).epsilon(kTails));
+    CHECK(found.sd == Approx(sd).epsilon(10 * kTails));
+  }
+  // With its sd equal to the mean a Weibull distribution is exponential: the median is ln 2 of the mean.
+  CHECK(Distribution::weibull(3, 3).quantile(0.5) == Approx(3 * std::numbers::ln2).epsilon(1e-12));
+  const MeanAndSd beta = integrated(Distribution::beta(2.5, 0.4, 2, 4));
+  CHECK(beta.mean == Approx(2.5).epsilon(kTails));
+  CHECK(beta.sd == Approx(0.4).epsilon(kTails));
+  // With the variance of a uniform one it is uniform.
+  CHECK(Distribution::beta(3, 2 / std::sqrt(12.0), 2, 4).quantile(0.3) ==
+        Approx(2.6).epsilon(1e-12));
+}
+
+TEST_CASE("the share below a quantile is its probability", "[studies][distribution]") {
+  for (const Distribution& one :
+       {Distribution::normal(3, 2), Distribution::lognormal(3, 2), Distribution::uniform(3, 4),
+        Distribution::triangular(1, 2, 5), Distribution::weibull(3, 1),
+        Distribution::beta(3, 0.5, 2, 5), Distribution::normal(3, 2).within(2, 4)})
+    for (const double p : {0.01, 0.3, 0.9})
+      CHECK(one.cdf(one.quantile(p)) == Approx(p).epsilon(1e-12));
+}

@@ -5,7 +5,7 @@
 
 #include <twum/optim/random.hpp>
 #include <twum/studies/distribution.hpp>
-#include <twum/studies/moments.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <cmath>
 

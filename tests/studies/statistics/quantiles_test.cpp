@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <twum/optim/random.hpp>
-#include <twum/studies/quantiles.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <algorithm>
 #include <cmath>

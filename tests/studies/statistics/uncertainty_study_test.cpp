@@ -4,7 +4,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <twum/base/error.hpp>
+
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <variant>
@@ -15,6 +19,7 @@
 namespace {
 
 using namespace twum::studies;
+namespace test = twum::test;
 using twum::test::Coverage;
 using twum::test::run;
 
@@ -179,4 +184,132 @@ TEST_CASE("uncertainty studies do not depend on the number of threads", "[studie
   const std::string one = twum::test::timeless_summary(run(entries, 1));
   CHECK(one == twum::test::timeless_summary(run(entries, 2)));
   CHECK(one == twum::test::timeless_summary(run(entries, 8)));
+}
+
+TEST_CASE("correlated tolerances change the share of motors as their sum does (U1.9)",
+          "[studies][uncertainty][correlation]") {
+  constexpr double kSamples = 40000;
+  for (const double rho : {-0.7, 0.0, 0.7}) {
+    CAPTURE(rho);
+    // 5 and 7 % of spread; the sum of the shares is normal about 2.
+    const StudyResult result =
+        run("  kind: uncertainty\n  samples: 40000\n  variables: {preload: 5 %, kinetic_friction: "
+            "7 %}\n"
+            "  correlations: [[kinetic_friction, preload, " +
+            std::to_string(rho) +
+            "]]\n"
+            "  limits: ['preload / (160 N) + kinetic_friction / 0.2 >= 1.87']\n");
+    const double sd = std::sqrt(0.0025 + 0.0049 + 2 * rho * 0.05 * 0.07);
+    const double share = below(0.13 / sd);
+    REQUIRE(uncertainty(result).yield);
+    CHECK(uncertainty(result).yield->value ==
+          Approx(share).margin(5 * std::sqrt(share * (1 - share) / kSamples)));
+  }
+}
+
+TEST_CASE("motors beyond the admissible range keep no limit", "[studies][uncertainty]") {
+  // A friction of less than 0 cannot be: Phi(-1 / 0.42) of the motors.
+  const StudyResult result =
+      run("  kind: uncertainty\n  samples: 40000\n  variables: {kinetic_friction: 42 %}\n"
+          "  limits: [holding_torque >= 1 mN.m]\n");
+  // holding_torque = mu_0 F_N r: what is above 0 keeps the limit up to 1e-3 / 0.85 of the friction.
+  const double least = 1e-3 / (0.2 * 160 * kRadius);
+  const double share = below((1 - least) / 0.42);
+  CHECK(uncertainty(result).yield->value ==
+        Approx(share).margin(5 * std::sqrt(share * (1 - share) / 40000)));
+  REQUIRE(uncertainty(result).inadmissible.size() == 1);
+  CHECK(uncertainty(result).inadmissible[0].share == Approx(below(-1 / 0.42)).epsilon(1e-9));
+}
+
+TEST_CASE("measured parts are drawn whole, as often as their weights say",
+          "[studies][uncertainty][parts]") {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.path("parts.csv"))
+      << "serial,kinetic_friction,preload [N],weight\na,0.18,150,1\nb,0.22,170,3\nc,0.2,160,0\n";
+  std::ofstream(folder.path("study.yaml"))
+      << "twum: 1\nmotor: " TWUM_SOURCE_DIR
+         "/examples/motors/elastic-layer.yaml\nstudy:\n"
+         "  kind: uncertainty\n  parts: parts.csv\n  samples: 4000\n  metrics: [stall_torque]\n";
+  const StudyFile file = read_study_file(folder.path("study.yaml"));
+  const StudyResult result = run_study(file);
+  std::size_t first = 0, second = 0;
+  result.rows->read([&](const StoredRow& row) {
+    const bool of_first = row.values[0] == 0.18;
+    REQUIRE(row.values[0] == (of_first ? 0.18 : 0.22));
+    REQUIRE(row.values[1] == (of_first ? 150 : 170));
+    // mu F_N r of the elastic layer, to the rounding of the motor's own sum.
+    CHECK(row.values[2] == Approx(row.values[0] * row.values[1] * kRadius).epsilon(1e-9));
+    ++(of_first ? first : second);
+  });
+  CHECK(first + second == 4000);
+  CHECK(static_cast<double>(first) == Approx(1000).margin(5 * std::sqrt(4000 * 0.25 * 0.75)));
+  CHECK(uncertainty(result).part_count == 3);
+  REQUIRE(result.model_notes.size() > 0);
+  CHECK(result.model_notes[0].find("'serial'") != std::string::npos);
+}
+
+TEST_CASE("wrong parts and correlations are refused with their place",
+          "[studies][uncertainty][parts]") {
+  const test::ScratchFolder folder;
+  const auto error = [&](const std::string& table, const std::string& entries) -> std::string {
+    std::ofstream(folder.path("parts.csv")) << table;
+    std::ofstream(folder.path("study.yaml"))
+        << "twum: 1\nmotor: " TWUM_SOURCE_DIR
+           "/examples/motors/elastic-layer.yaml\nstudy:\n"
+           "  kind: uncertainty\n  samples: 10\n  metrics: [stall_torque]\n"
+        << entries;
+    try {
+      run_study(read_study_file(folder.path("study.yaml")));
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const auto says = [](const std::string& text, const std::string& words) {
+    INFO(text);
+    CHECK(text.find(words) != std::string::npos);
+  };
+  says(error("preload [N]\n150\nx\n", "  parts: parts.csv\n"),
+       "parts.csv:3: preload: 'x' is not a number");
+  says(error("preload [N],weight\n150,-1\n", "  parts: parts.csv\n"), "parts.csv:2: weight: '-1'");
+  says(error("preload [N],weight\n150,0\n", "  parts: parts.csv\n"), "no part with a weight");
+  says(error("preload [N]\n", "  parts: parts.csv\n"), "no part");
+  says(error("preload [N]\n150\n", "  parts: parts.csv\n  variables: {preload: 5 %}\n"),
+       "study.variables.preload: has a column in study.parts too");
+  says(error("preload [N]\n150\n", "  parts: none.csv\n"), "none.csv");
+  says(error("", "  samples: 10\n"), "variables");
+  const std::string three = "  variables: {preload: 5 %, kinetic_friction: 5 %, thickness: 5 %}\n";
+  says(error("", three + "  correlations: [[preload, youngs_modulus, 0.5]]\n"),
+       "correlations[0]: 'youngs_modulus' does not scatter");
+  says(error("", three + "  correlations: [[preload, thickness, 1.5]]\n"), "'1.5'");
+  says(error("", three + "  correlations: [[preload, nothing, 0.5]]\n"), "'nothing'");
+  says(error("",
+             three +
+                 "  correlations: [[preload, thickness, 0.9], [thickness, kinetic_friction, 0.9], "
+                 "[preload, kinetic_friction, -0.9]]\n"),
+       "correlations[1]: 'thickness' and 'kinetic_friction' with 0.9");
+}
+
+TEST_CASE("a result grows by more samples, with the bytes of one that began with them",
+          "[studies][uncertainty]") {
+  const auto asked = [](int samples) {
+    return test::elastic_study(
+        "  kind: uncertainty\n  variables: {preload: 5 %}\n  metrics: "
+        "[stall_torque]\n  samples: " +
+        std::to_string(samples) + "\n");
+  };
+  const auto content = [](const std::string& path) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const test::ScratchFolder folder;
+  run_study(asked(50), folder.path("grown"));
+  const StudyResult grown = run_study(asked(120), folder.path("grown"));
+  CHECK(grown.evaluations == 120);
+  CHECK_FALSE(grown.was_complete);
+  const StudyResult whole = run_study(asked(120), folder.path("whole"));
+  CHECK(content(folder.path("grown/results.csv")) == content(folder.path("whole/results.csv")));
+  CHECK(test::timeless_summary(grown) == test::timeless_summary(whole));
+  CHECK(run_study(asked(120), folder.path("grown")).was_complete);
+  CHECK_THROWS_AS(run_study(asked(80), folder.path("grown")), twum::InputError);
 }

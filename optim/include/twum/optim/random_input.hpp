@@ -20,7 +20,7 @@ struct BuiltValue {
 };
 
 /// An input that varies from product to product: P = T(x, z), where x is the design's value and z a standard normal
-/// number, U1.1 to U1.4. Inputs are independent of each other.
+/// number, U1.1 to U1.4. Inputs are independent of each other, or correlated by their normal numbers (Correlation).
 struct RandomInput {
   std::string name{};    ///< unique among the inputs
   Law law{Law::normal};  ///< shape of the distribution

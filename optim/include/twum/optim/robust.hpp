@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/optim/estimate.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust_problem.hpp>
 #include <twum/optim/yield_estimate.hpp>
@@ -17,7 +18,8 @@ struct SampledMean {
 
 /// Statistics of an independent sample of products of a design.
 struct Verification {
-  std::vector<YieldEstimate> yields{};  ///< of each yield target
+  std::vector<YieldEstimate> yields{};         ///< of each yield target
+  std::vector<IntervalEstimate> statistics{};  ///< of each statistic, with 95 % intervals
   /// for each end of a limit, in the order of RobustResult::risks, the share of products that violates it
   std::vector<double> term_shares{};
   /// True for yields above 99.99 %: yields and shares come from importance samples about the worst points, 16
@@ -40,7 +42,8 @@ struct RiskShare {
   double beta{0.0};         ///< its reliability index
   double probability{0.0};  ///< share of the sampled products that violate it
   double share{0.0};        ///< share of it among the products that violate any limit of the target
-  /// alpha_k^2 of each input: its share in the cause of failures; the sum is 1
+  /// alpha_k^2 of each input, or with correlated inputs the part of U1.10, which can be negative: its share in the cause of
+  /// failures; the sum is 1
   std::vector<double> importance{};
   double multiplier{0.0};  ///< improvement of the goal per unit of relaxation of this end
   double delta{0.0};       ///< correction of its margin in the last round, user units
@@ -75,8 +78,10 @@ struct RobustRoundReport {
 struct RobustResult {
   /// optimal: the yield holds; feasible: not distinguishable; infeasible: violated, or no design exists
   Outcome outcome{Outcome::failed};
-  YieldVerdict verdict{YieldVerdict::broken};  ///< verdict of the target with the worst result
-  std::vector<double> design{};                ///< values of the variables
+  YieldVerdict verdict{
+      YieldVerdict::
+          broken};  ///< verdict on the target or the limited statistic with the worst result
+  std::vector<double> design{};  ///< values of the variables
   /// result of the last round's problem, in variables and reliability indices, with its certificate; its stages
   /// report the goal
   Result last{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/optim/correlation.hpp>
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random_input.hpp>
 
@@ -57,6 +58,7 @@ struct RobustProblem {
   Problem
       design{};  ///< variables, objectives of nominal goals, and constraints on the design itself
   std::vector<RandomInput> inputs{};  ///< inputs that scatter
+  Correlation correlation{};          ///< of their normal numbers
   std::vector<RandomLimit> limits{};  ///< responses of the built products, in order
   BuiltEvaluator built{};             ///< evaluates these responses
   std::vector<YieldTarget> yields{};  ///< each with its own limits

@@ -5,8 +5,8 @@
 
 namespace twum::studies {
 
-/// A distribution of a quantity with admissible limits. Mean and standard deviation are those of the quantity itself
-/// (not of its logarithm), before it is truncated at the limits.
+/// A distribution of a quantity. Mean and standard deviation are those of the quantity itself (not of its logarithm), before it
+/// is truncated at limits.
 class Distribution {
  public:
   /// Normal with sd > 0.
@@ -18,25 +18,33 @@ class Distribution {
   /// Triangular over min < max with its peak at min <= mode <= max.
   static Distribution triangular(double min, double mode, double max);
 
+  /// Weibull from 0, with mean > 0 and sd from 1e-3 to 10 times it.
+  static Distribution weibull(double mean, double sd);
+  /// Beta over min < mean < max, with sd^2 < (mean - min) (max - mean).
+  static Distribution beta(double mean, double sd, double min, double max);
+
   /// The distribution truncated to the limits.
   Distribution within(double min, double max) const;
   /// Share of the distribution that the limits cut off, 0 to 1.
   double cut_off() const noexcept { return 1 - (top_ - bottom_); }
 
+  /// Share of the distribution below a value.
+  double cdf(double x) const;
   /// The p-quantile, p in (0, 1); increases with p.
   double quantile(double p) const;
 
  private:
-  enum class Shape : std::uint8_t { normal, lognormal, uniform, triangular };
-  Distribution(Shape shape, double a, double b, double c = 0)
-      : shape_(shape), a_(a), b_(b), c_(c) {}
+  enum class Shape : std::uint8_t { normal, lognormal, uniform, triangular, weibull, beta };
+  Distribution(Shape shape, double a, double b, double c = 0, double d = 0)
+      : shape_(shape), a_(a), b_(b), c_(c), d_(d) {}
   double whole_cdf(double x) const;
   double whole_quantile(double p) const;
 
   Shape shape_;
-  double a_;          // normal, lognormal: location; otherwise minimum
-  double b_;          // normal, lognormal: scale; otherwise maximum
-  double c_;          // triangular: mode
+  double a_;          // normal, lognormal: location; Weibull: scale; otherwise minimum
+  double b_;          // normal, lognormal: scale; Weibull: exponent; otherwise maximum
+  double c_;          // triangular: mode; beta: first exponent
+  double d_;          // beta: second exponent
   double bottom_{0};  // probabilities below the limits
   double top_{1};
   double min_{0};

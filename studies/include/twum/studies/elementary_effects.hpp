@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/moments.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <cstddef>
 #include <cstdint>

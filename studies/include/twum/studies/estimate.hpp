@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
+#include <twum/optim/estimate.hpp>
+#include <twum/optim/sample_moments.hpp>
+#include <twum/optim/sample_quantiles.hpp>
 
+/// Estimates from samples, which searches under tolerances need too.
 namespace twum::studies {
 
-/// An estimate from samples with its confidence interval; NaN where there is none.
-struct Estimate {
-  double value{std::numeric_limits<double>::quiet_NaN()};  ///< the estimate itself
-  double low{std::numeric_limits<double>::quiet_NaN()};    ///< lower end of the interval
-  double high{std::numeric_limits<double>::quiet_NaN()};   ///< upper end
-};
+using Estimate = optim::IntervalEstimate;
+using optim::Moments;
+using optim::proportion_estimate;
+using optim::quantile_estimate;
 
 }  // namespace twum::studies

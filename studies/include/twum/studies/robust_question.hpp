@@ -23,8 +23,9 @@ namespace twum::studies {
 /// parameters only hold for the design. Without it, every limit holds for the design.
 struct RobustQuestion {
   DesignProblem design{};  ///< variables, objective (a metric or a statistic) and limits
-  std::vector<Tolerance> tolerances{};  ///< parameters that scatter, independently of each other
-  std::vector<StatisticLimit> statistics{};  ///< limits on the built motors
+  std::vector<Tolerance> tolerances{};               ///< parameters that scatter
+  std::vector<StatisticLimit> statistics{};          ///< limits on the built motors
+  std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances; others are independent
 };
 
 /// Why a tolerance cannot be used in a search, if it cannot.

@@ -160,8 +160,9 @@ struct OptimizeStudy {
   std::vector<MotorLimit> constraints{};     ///< what must hold
   std::vector<Tolerance> tolerances{};       ///< tolerances of built motors; may be empty
   std::vector<StatisticLimit> statistics{};  ///< limits on the built motors
-  optim::SolveOptions solver{};              ///< observer, threads and stop are the run's
-  std::string start{};                       ///< result directory to start from; empty: the motor
+  std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
+  optim::SolveOptions solver{};                      ///< observer, threads and stop are the run's
+  std::string start{};  ///< result directory to start from; empty: the motor
 };
 
 /// The trade-off front of two or three metrics.
@@ -178,15 +179,16 @@ struct ParetoStudy {
     options.scan = 0;
     return options;
   }
-  std::vector<DesignVariable> variables{};        ///< what may be changed
-  std::vector<DerivedParameter> derived{};        ///< what follows from the variables
-  std::vector<DesignChoice> choose{};             ///< sets of parameters of which a design has one
-  std::vector<DesignObjective> objectives{};      ///< two or three
-  std::vector<MotorLimit> constraints{};          ///< what must hold
-  std::vector<Tolerance> tolerances{};            ///< as in OptimizeStudy
-  std::vector<StatisticLimit> statistics{};       ///< as in OptimizeStudy
-  std::uint64_t points{50};                       ///< of the front
-  optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
+  std::vector<DesignVariable> variables{};    ///< what may be changed
+  std::vector<DerivedParameter> derived{};    ///< what follows from the variables
+  std::vector<DesignChoice> choose{};         ///< sets of parameters of which a design has one
+  std::vector<DesignObjective> objectives{};  ///< two or three
+  std::vector<MotorLimit> constraints{};      ///< what must hold
+  std::vector<Tolerance> tolerances{};        ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics{};   ///< as in OptimizeStudy
+  std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
+  std::uint64_t points{50};                          ///< of the front
+  optim::SolveOptions solver{standard_solver()};     ///< as in OptimizeStudy
   std::string start{};  ///< result directory to start from; empty: the motor
 };
 
@@ -205,6 +207,7 @@ struct SizeStudy {
   std::vector<MotorLimit> limits{};          ///< what else must hold
   std::vector<Tolerance> tolerances{};       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics{};  ///< as in OptimizeStudy
+  std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
   /// objective among the motors that can do the duty
   DesignObjective prefer{parse_metric("max_pressure")};
   optim::SolveOptions solver{};  ///< as in OptimizeStudy
@@ -218,7 +221,10 @@ struct UncertaintyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<Tolerance> variables{};              ///< what is uncertain, independently
+  std::vector<Tolerance> variables{};                ///< what is uncertain
+  std::vector<ToleranceCorrelation> correlations{};  ///< of these; others are independent
+  /// table of measured parts, drawn whole; parameters without a column keep their law; empty: none
+  std::string parts{};
   std::vector<DerivedParameter> derived{};         ///< what follows from the variables
   std::vector<MetricExpression> metrics{};         ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn

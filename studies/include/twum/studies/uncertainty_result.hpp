@@ -34,10 +34,10 @@ struct UncertaintyResult {
     double upper;        ///< SI; infinity: none
     Estimate kept;       ///< fraction of motors
   };
-  /// A variable whose distribution reaches beyond its admissible range.
-  struct CutOff {
+  /// A variable whose distribution reaches beyond its admissible range: such motors have no value and keep no limit.
+  struct Inadmissible {
     std::string variable;  ///< its name
-    double share;          ///< share of the distribution that was cut off
+    double share;          ///< share of the distribution that lies beyond
   };
 
   double confidence{0.95};   ///< level of all intervals
@@ -45,13 +45,15 @@ struct UncertaintyResult {
   std::uint64_t failed{0};   ///< of these, failed or incomplete
   /// of these, motors without a value that a limit needs; they count as violating it
   std::uint64_t no_value{0};
-  std::string start;  ///< the other study whose best design is the motor; empty: none
+  std::string parts;            ///< table of measured parts that were drawn; empty: none
+  std::uint64_t part_count{0};  ///< how many there are
+  std::string start;            ///< the other study whose best design is the motor; empty: none
   /// the motor without its tolerances: the varied parameters, and those of the other study's design
   std::vector<NamedValue> nominal;
-  std::vector<StoredColumn> variables;  ///< in the order of the study
-  std::vector<CutOff> cut_off;          ///< distributions that reach beyond the admissible range
-  std::vector<Metric> metrics;          ///< in the order asked
-  std::vector<Limit> limits;            ///< in the order of the study
+  std::vector<StoredColumn> variables;     ///< in the order of the study
+  std::vector<Inadmissible> inadmissible;  ///< distributions that reach beyond the admissible range
+  std::vector<Metric> metrics;             ///< in the order asked
+  std::vector<Limit> limits;               ///< in the order of the study
   /// fraction of motors that meet all limits; nothing if there are no limits
   std::optional<Estimate> yield;
 };

@@ -197,7 +197,27 @@ std::string DesignTable::result_header() const {
   return text + std::string(kStatus) + "\n";
 }
 
-bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
+std::vector<Parameter> DesignTable::parameters() const {
+  std::vector<Parameter> list;
+  for (const TableColumn& column : columns_)
+    if (column.parameter) list.push_back(*column.parameter);
+  return list;
+}
+
+std::vector<std::string> DesignTable::copied() const {
+  std::vector<std::string> list;
+  for (const TableColumn& column : columns_)
+    if (!column.parameter) list.push_back(column.heading);
+  return list;
+}
+
+std::optional<std::size_t> DesignTable::column_named(std::string_view heading) const {
+  const auto found = std::ranges::find(columns_, heading, &TableColumn::heading);
+  if (found == columns_.end()) return {};
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+bool DesignTable::read_values(Scratch& scratch) const {
   scratch.values.clear();
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const TableColumn& column = columns_[i];
@@ -207,8 +227,8 @@ bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
       cell = trimmed(cell.substr(1, cell.size() - 2));
     const auto value = column.scale.read(cell);
     if (!value) {
-      scratch.reason = at_line(line) + column.name +
-                       (cell.empty() ? ": empty cell" : ": " + quoted(cell) + " is not a number");
+      scratch.reason =
+          column.name + (cell.empty() ? ": empty cell" : ": " + quoted(cell) + " is not a number");
       return false;
     }
     scratch.values.emplace_back(*column.parameter, *value);
@@ -235,18 +255,21 @@ DesignOutcome<std::vector<MetricValue>> DesignTable::parameters(const Scratch& s
   });
 }
 
+bool DesignTable::read_row(std::string_view record, Scratch& scratch) const {
+  scratch.well_formed = split_record(record, scratch.cells);
+  if (scratch.well_formed && scratch.cells.size() == columns_.size()) return read_values(scratch);
+  scratch.reason = scratch.well_formed ? counted(scratch.cells.size(), "cell") +
+                                             ", the header has " + std::to_string(columns_.size())
+                                       : "a quotation mark that cannot stand there";
+  return false;
+}
+
 // Sets scratch.metrics, and scratch.reason if something is wrong.
 bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& scratch) const {
-  scratch.well_formed = split_record(record, scratch.cells);
-  if (!scratch.well_formed || scratch.cells.size() != columns_.size()) {
-    scratch.reason =
-        at_line(line) + (scratch.well_formed
-                             ? counted(scratch.cells.size(), "cell") + ", the header has " +
-                                   std::to_string(columns_.size())
-                             : std::string("a quotation mark that cannot stand there"));
+  if (!read_row(record, scratch)) {
+    scratch.reason = at_line(line) + scratch.reason;
     return false;
   }
-  if (!read_values(line, scratch)) return false;
   auto outcome = evaluator_.requests().empty() ? parameters(scratch) : metrics(scratch);
   if (const auto* failure = std::get_if<DesignFailure>(&outcome)) {
     const bool refused = failure->kind == DesignFailure::Kind::refused;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/robust/robust_report.hpp"
 
-#include <twum/studies/moments.hpp>
-#include <twum/studies/quantiles.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,19 +20,6 @@ std::string target_name(const optim::RobustProblem& posed, std::size_t target) {
   return posed.yields[target].name;
 }
 
-Estimate statistic_estimate(const optim::StatisticTarget& target, std::vector<double> values) {
-  constexpr double kConfidence = 0.95;
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (target.kind == optim::Statistic::quantile) {
-    std::sort(values.begin(), values.end());
-    return quantile_estimate(values, target.probability, kConfidence);
-  }
-  Moments moments;
-  for (const double v : values) moments.add(v);
-  return target.kind == optim::Statistic::mean ? moments.mean_estimate(kConfidence)
-                                               : moments.sd_estimate(kConfidence);
-}
-
 std::string unit_of_statistic(const RobustQuestion& question, const std::string& name) {
   for (const DesignObjective& goal : question.design.objectives)
     if (goal.text() == name) return goal.unit();
@@ -47,10 +33,11 @@ std::vector<RobustStatistic> statistics_of(const RobustQuestion& question,
                                            const optim::RobustProblem& posed,
                                            const optim::Verification& seen) {
   std::vector<RobustStatistic> list;
-  if (seen.values.empty()) return list;
-  for (const optim::StatisticTarget& target : posed.statistics)
+  for (std::size_t s = 0; s < seen.statistics.size(); ++s) {
+    const optim::StatisticTarget& target = posed.statistics[s];
     list.push_back({target.name, unit_of_statistic(question, target.name), target.lower,
-                    target.upper, statistic_estimate(target, seen.values[target.response])});
+                    target.upper, seen.statistics[s]});
+  }
   return list;
 }
 
@@ -192,7 +179,7 @@ std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
                                           const optim::RobustProblem& posed,
                                           const optim::Verification& seen) {
   std::vector<NamedValue> list;
-  if (seen.values.empty()) return list;
+  if (seen.values.empty()) return list;  // nothing was drawn
   for (std::size_t k = 0; k < posed.goals.size(); ++k) {
     const auto [kind, index, ignored] = posed.goals[k];
     const DesignObjective& goal = question.design.objectives[k];
@@ -201,8 +188,7 @@ std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
     if (kind == optim::RobustGoal::yield) {
       value = seen.yields[index].value;
     } else {
-      const optim::StatisticTarget& target = posed.statistics[index];
-      value = statistic_estimate(target, seen.values[target.response]).value;
+      value = seen.statistics[index].value;
     }
     list.push_back({goal.text(), goal.unit(), value});
   }

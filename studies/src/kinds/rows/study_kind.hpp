@@ -62,6 +62,8 @@ class StudyKindRun {
   virtual std::vector<std::string> notes() const { return {}; }
   /// Notes to show only before the run, likewise.
   virtual std::vector<std::string> notes_before() const { return {}; }
+  /// Path of the entry that may be larger in a study than in the one of its stored rows, which then are its first; empty: none.
+  virtual std::string_view grows_by() const { return {}; }
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 

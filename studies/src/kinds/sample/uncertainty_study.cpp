@@ -3,11 +3,12 @@
 #include "kinds/rows/earlier_result.hpp"
 #include "kinds/rows/sample_rows.hpp"
 #include "kinds/sample/found_motors.hpp"
+#include "kinds/sample/measured_parts.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/random.hpp>
-#include <twum/studies/moments.hpp>
-#include <twum/studies/quantiles.hpp>
+#include <twum/studies/estimate.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ constexpr double kConfidence = 0.95;
 struct DrawnVariable {
   Parameter parameter;
   Distribution distribution;
+  double inadmissible;
 
   double draw(double u) const {
     const double value = distribution.quantile(u);
@@ -38,7 +40,7 @@ std::vector<DrawnVariable> drawn_variables(const std::vector<Tolerance>& asked,
     if (const auto wrong = complaint(one, value))
       throw InputError("study.variables." + std::string(info(one.parameter).name) + ": " +
                        wrong->what());
-    variables.push_back({one.parameter, one.distribution(value)});
+    variables.push_back({one.parameter, one.distribution(value), one.inadmissible(value)});
   }
   return variables;
 }
@@ -82,6 +84,24 @@ EarlierDesign start_design(const StudyFile& file, const std::string& start) {
   return designs.front();
 }
 
+MeasuredParts measured_parts(const StudyFile& file, const UncertaintyStudy& asked,
+                             const MotorDesign& design) {
+  if (asked.parts.empty()) return {};
+  MeasuredParts parts((std::filesystem::path(file.folder) / asked.parts).string(), design);
+  for (const Tolerance& one : asked.variables)
+    if (std::ranges::find(parts.parameters(), one.parameter) != parts.parameters().end())
+      throw InputError("study.variables." + std::string(info(one.parameter).name) +
+                       ": has a column in study.parts too; leave one of them out");
+  return parts;
+}
+
+std::vector<Parameter> drawn_parameters(const std::vector<DrawnVariable>& variables,
+                                        const MeasuredParts& parts) {
+  std::vector<Parameter> list = parameters_of(variables);
+  list.insert(list.end(), parts.parameters().begin(), parts.parameters().end());
+  return list;
+}
+
 // What tells the varied motor from others: the varied parameters and those of the earlier design.
 std::vector<Parameter> nominal_parameters(const UncertaintyStudy& asked,
                                           const EarlierDesign& start) {
@@ -103,22 +123,30 @@ class UncertaintyRun : public StudyKindRun {
         design_(with(file.motor.design, start_)),
         tolerances_(asked.variables),
         variables_(drawn_variables(asked.variables, design_)),
+        correlation_(asked.variables.size(), correlated_pairs(asked.variables, asked.correlations)),
+        parts_(measured_parts(file, asked, design_)),
+        parts_file_(asked.parts),
         probabilities_(sorted(asked.quantiles)),
         metrics_(with_derived(asked.metrics, asked.derived)),
         limits_(place_limits(asked.limits, metrics_)),
-        evaluator_({design_, parameters_of(variables_), asked.derived}, metrics_),
+        evaluator_({design_, drawn_parameters(variables_, parts_), asked.derived}, metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
         start_folder_(asked.start),
         nominal_(nominal_parameters(asked, start_)) {}
 
   std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
-  std::size_t variables() const override { return variables_.size(); }
+  std::size_t variables() const override { return variables_.size() + parts_.parameters().size(); }
   std::uint64_t seed() const override { return seed_; }
   std::optional<MotorDesign> own_motor() const override { return design_; }
   std::vector<std::string> notes() const override {
-    return shapes::tolerance_notes(tolerances_, design_);
+    std::vector<std::string> notes = shapes::tolerance_notes(tolerances_, design_);
+    for (const std::string& name : parts_.unused())
+      notes.push_back("column " + quoted(name) + " of " + quoted(parts_file_) +
+                      " is no parameter and is not used");
+    return notes;
   }
+  std::string_view grows_by() const override { return "study.samples"; }
 
   KindAnswer run(RunContext& context) override {
     const bool complete = store_rows(context, 0, samples_);
@@ -138,17 +166,33 @@ class UncertaintyRun : public StudyKindRun {
 
  private:
   void fill(std::uint64_t index, StoredRow& row) const {
-    optim::Random random(seed_, 0, index);
-    std::vector<double> design;
-    for (const DrawnVariable& variable : variables_) {
-      // Half a step of the random number keeps it away from 0.
-      design.push_back(variable.draw(random.uniform() + 0x1.0p-54));
+    std::vector<double> design = drawn_probabilities(index);
+    for (std::size_t k = 0; k < design.size(); ++k) design[k] = variables_[k].draw(design[k]);
+    if (parts_.size() > 0) {
+      const auto part = parts_.draw(optim::Random(seed_, 1, index).uniform());
+      design.insert(design.end(), part.begin(), part.end());
     }
     evaluator_.evaluate(design, row);
   }
 
+  // Of each variable, correlated as their normal numbers are.
+  std::vector<double> drawn_probabilities(std::uint64_t index) const {
+    optim::Random random(seed_, 0, index);
+    std::vector<double> list;
+    // Half a step of the random number keeps it away from 0.
+    for (std::size_t k = 0; k < variables_.size(); ++k)
+      list.push_back(random.uniform() + 0x1.0p-54);
+    if (correlation_.independent()) return list;
+    for (double& u : list) u = optim::normal_quantile(u);
+    list = correlation_.correlated(std::move(list));
+    for (double& y : list) y = std::clamp(optim::normal_cdf(y), 0x1.0p-54, 1 - 0x1.0p-53);
+    return list;
+  }
+
   UncertaintyResult frame() const {
     UncertaintyResult result;
+    result.parts = parts_file_;
+    result.part_count = parts_.size();
     result.confidence = kConfidence;
     result.start = start_folder_;
     for (const Parameter parameter : nominal_)
@@ -161,11 +205,9 @@ class UncertaintyRun : public StudyKindRun {
       result.metrics.emplace_back();
       result.metrics.back().column = *column;
     }
-    for (std::size_t j = 0; j < variables(); ++j) {
-      const double share = variables_[j].distribution.cut_off();
-      // A smaller share is within rounding of the probabilities.
-      if (share > 1e-12) result.cut_off.push_back({result.variables[j].name, share});
-    }
+    for (std::size_t j = 0; j < variables_.size(); ++j)
+      if (variables_[j].inadmissible > 1e-12)  // less is within rounding of the probabilities
+        result.inadmissible.push_back({result.variables[j].name, variables_[j].inadmissible});
     return result;
   }
 
@@ -218,6 +260,9 @@ class UncertaintyRun : public StudyKindRun {
   MotorDesign design_;
   std::vector<Tolerance> tolerances_;
   std::vector<DrawnVariable> variables_;
+  optim::Correlation correlation_;
+  MeasuredParts parts_;
+  std::string parts_file_;
   std::vector<double> probabilities_;
   std::vector<MetricExpression> metrics_;
   std::vector<LimitPlace> limits_;

@@ -15,7 +15,8 @@ class OptimizeRun : public OptimumRun {
                     asked.constraints,
                     asked.derived,
                     asked.choose},
-                   {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
+                   {asked.tolerances, asked.statistics, asked.correlations}, asked.solver,
+                   asked.start) {}
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ DesignProblem OptimumRun::held(std::span<const double> design) const {
 }
 
 RobustQuestion OptimumRun::question_of(std::span<const double> design) const {
-  return {held(design), built_.tolerances, built_.statistics};
+  return {held(design), built_.tolerances, built_.statistics, built_.correlations};
 }
 
 RobustQuestion OptimumRun::robust_question(const BuiltQuestion& of) const {

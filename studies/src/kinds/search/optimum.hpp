@@ -8,10 +8,11 @@
 
 namespace twum::studies {
 
-/// Tolerances of the built motors, and limits on their statistics; empty without tolerances.
+/// Tolerances of the built motors, limits on their statistics, and what scatters together; empty without tolerances.
 struct BuiltMotorsAsked {
   std::vector<Tolerance> tolerances;
   std::vector<StatisticLimit> statistics;
+  std::vector<ToleranceCorrelation> correlations;
 };
 
 /// A search for one best design, shared by optimize and size.

@@ -44,6 +44,7 @@ class ParetoRun : public SearchRun {
         goals_(asked.objectives),
         tolerances_(asked.tolerances),
         statistics_(asked.statistics),
+        correlations_(asked.correlations),
         motors_([this](const BuiltQuestion&) { return question(); }) {}
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
@@ -109,7 +110,7 @@ class ParetoRun : public SearchRun {
   }
 
   RobustQuestion question() const {
-    RobustQuestion question{problem(), tolerances_, statistics_};
+    RobustQuestion question{problem(), tolerances_, statistics_, correlations_};
     question.design.objectives = goals_;
     return question;
   }
@@ -149,6 +150,7 @@ class ParetoRun : public SearchRun {
   std::vector<DesignObjective> goals_;
   std::vector<Tolerance> tolerances_;
   std::vector<StatisticLimit> statistics_;
+  std::vector<ToleranceCorrelation> correlations_;
   BuiltMotorRows motors_;
 };
 

@@ -2,6 +2,7 @@
 #include "kinds/sensitivity/metric_gradients.hpp"
 #include "kinds/sensitivity/sensitivity_study.hpp"
 
+#include <twum/studies/estimate.hpp>
 #include <twum/studies/sobol_indices.hpp>
 
 #include <cmath>
@@ -30,12 +31,13 @@ class SobolSensitivity : public SensitivityRun {
 
   KindAnswer run(RunContext& context) override {
     std::vector<SobolIndices> indices(metrics_.size(), SobolIndices(variables()));
+    std::vector<Moments> drawn(metrics_.size());
     SensitivityResult result;
     bool complete = true;
     for (std::uint64_t stage = 0; complete; ++stage) {
       complete = store_round(context, stage);
-      read_round(context.store, stage, indices);
-      result = answer(indices);
+      read_round(context.store, stage, indices, drawn);
+      result = answer(indices, drawn);
       if (width_ == 0 || result.narrow || 2 * end_of(stage) > most_) break;
     }
     std::string word = outcome(result, complete);
@@ -90,15 +92,19 @@ class SobolSensitivity : public SensitivityRun {
     return packed(numbers);
   }
 
-  void read_round(const ResultStore& store, std::uint64_t stage,
-                  std::vector<SobolIndices>& indices) const {
+  void read_round(const ResultStore& store, std::uint64_t stage, std::vector<SobolIndices>& indices,
+                  std::vector<Moments>& drawn) const {
     const std::size_t size = design_.block_size();
     std::vector<std::vector<double>> values(metrics_.size());  // of one block
     std::vector<double> slopes;
     store.read(stage, [&](const StoredRow& row) {
       if (row.index % size == 0) slopes = unpacked(row.detail);
-      for (std::size_t i = 0; i < metrics_.size(); ++i)
-        values[i].push_back(row.values[variables() + i]);
+      for (std::size_t i = 0; i < metrics_.size(); ++i) {
+        const double value = row.values[variables() + i];
+        values[i].push_back(value);
+        const bool independent = row.index % size < 2;  // A and B of a block
+        if (independent && std::isfinite(value)) drawn[i].add(value);
+      }
       if (row.index % size != size - 1) return;
       const std::uint64_t block = begin_of(stage) + row.index / size;
       for (std::size_t i = 0; i < metrics_.size(); ++i) {
@@ -110,7 +116,8 @@ class SobolSensitivity : public SensitivityRun {
     });
   }
 
-  SensitivityResult answer(const std::vector<SobolIndices>& indices) const {
+  SensitivityResult answer(const std::vector<SobolIndices>& indices,
+                           const std::vector<Moments>& drawn) const {
     SensitivityResult result = frame("sobol");
     result.width = width_;
     for (std::size_t i = 0; i < metrics_.size(); ++i) {
@@ -119,6 +126,8 @@ class SobolSensitivity : public SensitivityRun {
       metric.dropped = indices[i].dropped();
       metric.value = indices[i].mean();
       metric.sd = std::sqrt(indices[i].variance());
+      if (metric.dropped > 0)  // of all motors with a value, not of whole blocks alone
+        metric.value = drawn[i].mean(), metric.sd = drawn[i].sd();
       result.samples = metric.samples + metric.dropped;
       if (refused(metric, "samples")) continue;
       if (indices[i].constant()) {

@@ -47,7 +47,17 @@ class DesignTable {
   /// True if a column replaces the parameter.
   bool has(Parameter parameter) const;
 
+  /// The parameters of the columns, in their order.
+  std::vector<Parameter> parameters() const;
+  /// Names of the columns that are no parameters, in their order.
+  std::vector<std::string> copied() const;
+  /// Position of the column with this heading.
+  std::optional<std::size_t> column_named(std::string_view heading) const;
+
   struct Scratch;
+  /// Reads the parameters of a row into scratch.values, in the order of parameters(). False if something is wrong: scratch.reason
+  /// then says what, without the line.
+  bool read_row(std::string_view record, Scratch& scratch) const;
   /// True if the row has an answer, see any_answer().
   bool any_answer(const Scratch& scratch) const;
 
@@ -85,7 +95,7 @@ class DesignTable {
   DesignOutcome<std::vector<MetricValue>> metrics(Scratch& scratch) const;
   DesignOutcome<std::vector<MetricValue>> parameters(const Scratch& scratch) const;
   bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
-  bool read_values(std::size_t line, Scratch& scratch) const;
+  bool read_values(Scratch& scratch) const;
   bool is_computed(const std::string& heading) const;
   void add_column_warnings();
   void append_columns(const std::vector<std::string_view>& cells, std::string& out) const;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/distributions.hpp>
-#include <twum/studies/moments.hpp>
+#include <twum/optim/sample_moments.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::optim {
 
 void Moments::add(double value) noexcept {
   const auto before = static_cast<double>(count_);
@@ -30,20 +30,20 @@ double Moments::sd() const noexcept {
   return std::sqrt(second_ / static_cast<double>(count_ - 1));
 }
 
-Estimate Moments::mean_estimate(double confidence) const {
+IntervalEstimate Moments::mean_estimate(double confidence) const {
   if (count_ == 0) return {};
-  if (count_ == 1) return {mean_, Estimate{}.low, Estimate{}.high};
+  if (count_ == 1) return {mean_, IntervalEstimate{}.low, IntervalEstimate{}.high};
   const auto n = static_cast<double>(count_);
-  const double half = optim::student_quantile(n - 1, (1 + confidence) / 2) * sd() / std::sqrt(n);
+  const double half = student_quantile(n - 1, (1 + confidence) / 2) * sd() / std::sqrt(n);
   return {mean_, mean_ - half, mean_ + half};
 }
 
-Estimate Moments::sd_estimate(double confidence) const {
+IntervalEstimate Moments::sd_estimate(double confidence) const {
   const double value = sd();
   const auto n = static_cast<double>(count_);
-  const double z = optim::normal_quantile((1 + confidence) / 2);
+  const double z = normal_quantile((1 + confidence) / 2);
   // The correction n / (n - z) of small samples needs a few draws to make sense.
-  if (count_ < 4 || n <= 2 * z) return {value, Estimate{}.low, Estimate{}.high};
+  if (count_ < 4 || n <= 2 * z) return {value, IntervalEstimate{}.low, IntervalEstimate{}.high};
   if (value == 0) return {0, 0, 0};
   const double kurtosis = n * fourth_ / (second_ * second_);
   const double correction = n / (n - z);
@@ -53,4 +53,4 @@ Estimate Moments::sd_estimate(double confidence) const {
   return {value, centre * std::exp(-z * error / 2), centre * std::exp(z * error / 2)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::optim

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/estimate.hpp>
+#include <twum/optim/estimate.hpp>
 
 #include <cstdint>
 
-namespace twum::studies {
+namespace twum::optim {
 
 /// Mean and standard deviation of independent draws in one pass (Pebay 2008), accurate even if the mean is much
 /// larger than the spread. The order of the draws changes the result by rounding only.
@@ -23,10 +23,10 @@ class Moments {
 
   /// Student's interval. Exact for normal draws, and by the central limit theorem accurate for many others.
   /// @param confidence  between 0 and 1
-  Estimate mean_estimate(double confidence) const;
+  IntervalEstimate mean_estimate(double confidence) const;
   /// Bonett's interval (2006), which uses the kurtosis. A chi-squared interval is wrong for draws that are not
   /// normal, however many there are.
-  Estimate sd_estimate(double confidence) const;
+  IntervalEstimate sd_estimate(double confidence) const;
 
  private:
   std::uint64_t count_{0};
@@ -36,4 +36,4 @@ class Moments {
   double fourth_{0};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::optim
