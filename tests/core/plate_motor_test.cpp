@@ -56,6 +56,27 @@ TEST_CASE("a motor from its geometry is the motor with the plate's modal data (P
 }
 
 TEST_CASE(
+    "a plate computes what is asked: numbers without derivatives, and the separation alone (P4.7)",
+    "[core][plate][identity]") {
+  MotorDesign design = plate_motor();
+  keep_plate(design);
+  using stator::Derivatives, stator::OtherModes;
+  const auto values = plate_model(design, OtherModes::none, Derivatives::none);
+  CHECK(plate_model(design, OtherModes::none, Derivatives::none) == values);  // computed once
+  CHECK(std::isnan(values->frequency.d[0]));
+  const auto whole = plate_model(design);
+  // The same numbers, of which the dual ones multiply by an inverse where the plain ones divide: some roundings.
+  CHECK(values->frequency.v == Approx(whole->frequency.v).epsilon(1e-14));
+  CHECK(values->modal_mass.v == Approx(whole->modal_mass.v).epsilon(1e-13));
+  CHECK(values->force_factor.v == Approx(whole->force_factor.v).epsilon(1e-13));
+  const stator::Derived plain = plate_separation(design, Derivatives::none);
+  const stator::Derived sloped = plate_separation(design, Derivatives::all);
+  CHECK(std::isnan(plain.d[0]));
+  CHECK(plain.v == whole->mode_separation.v);
+  CHECK(std::equal(std::begin(sloped.d), std::end(sloped.d), std::begin(whole->mode_separation.d)));
+}
+
+TEST_CASE(
     "the modes beside the wave are found where they are asked for, and change nothing else (P4.7)",
     "[core][plate][identity]") {
   MotorDesign design = plate_motor();

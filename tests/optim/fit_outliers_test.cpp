@@ -132,6 +132,30 @@ TEST_CASE("two outliers do not hide each other", "[optim][least_squares][outlier
   CHECK(std::max(found[0].residual, found[1].residual) == 19);
 }
 
+TEST_CASE("each of many outliers has the distance that it has without those found before",
+          "[optim][least_squares][outlier]") {
+  Line line = noisy(3);
+  for (int i = 0; i < 40; ++i) {
+    line.x.push_back(10.0 + 0.5 * i);
+    line.y.push_back(5 + 7 * line.x.back() + 0.3 * std::sin(1.7 * i));
+  }
+  // One of them far out, which the slope follows most: without it all others have other shares.
+  line.x.push_back(300);
+  line.y.push_back(5 + 7 * 300.0 + 400);
+  for (const std::size_t far : {3, 22, 31, 47}) line.y[far] += 30 + 3.0 * static_cast<double>(far);
+  const auto found = line.outliers(line.fit());
+  REQUIRE(found.size() >= 5);
+  for (const Outlier& one : found) {
+    Line marked = line;
+    for (const Outlier& other : found) {
+      marked.marked.push_back(other.residual);
+      if (other.residual == one.residual) break;
+    }
+    const Estimate shift = marked.fit().estimates.back();
+    CHECK(one.distance == Approx(-shift.value / shift.standard_deviation).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("outliers are found where there are none as often as the level says",
           "[optim][least_squares][outlier]") {
   constexpr int kRuns = 2000;

@@ -208,6 +208,21 @@ TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
              Contains("stopped short of the least residuals: it went round and round."));
 }
 
+TEST_CASE("an evaluation takes as much room for many points as for few (L1.2)",
+          "[studies][calibrate][store]") {
+  const Case one;
+  const MotorDesign truth = with(one.design(), kTruth);
+  const std::string few = points_of(truth, 4e-3, 5);
+  std::string many = few;
+  for (std::uint64_t seed = 6; seed < 16; ++seed) {
+    const std::string more = points_of(truth, 4e-3, seed);
+    many += more.substr(more.find('\n') + 1);
+  }
+  // Three parameters: four rows of a residual and three slopes, 8 bytes each.
+  for (const std::string& csv : {few, many})
+    for (const StoredRow& row : Run(one.file(csv)).rows()) CHECK(row.detail.size() == 4 * 4 * 8);
+}
+
 TEST_CASE("threads and interruptions do not change a calibration",
           "[studies][calibrate][determinism]") {
   Case one;

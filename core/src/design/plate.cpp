@@ -6,11 +6,17 @@
 #include <twum/base/error.hpp>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace twum {
+
+using stator::Derivatives;
+using stator::OtherModes;
+using stator::StatorModel;
 
 struct SolvedPlate::Known {
   /// Everything that determines the numbers of a plate.
@@ -20,22 +26,62 @@ struct SolvedPlate::Known {
 
     bool operator==(const Input&) const = default;
   };
-  using Model = std::shared_ptr<const stator::StatorModel>;
+  /// A number that is computed when it is first asked for. Threads that ask at once wait for one of them.
+  template <typename T>
+  class Lazy {
+   public:
+    template <typename Make>
+    const T& get(Make make) const {
+      std::call_once(asked_, [&] { value_.emplace(make()); });
+      return *value_;
+    }
 
-  Known(Input solved_for, Model solved) : input(std::move(solved_for)), wave(std::move(solved)) {}
-  ~Known() { delete whole.load(); }
-  Known(const Known&) = delete;
-  Known& operator=(const Known&) = delete;
+   private:
+    mutable std::once_flag asked_;
+    mutable std::optional<T> value_;
+  };
+  using Model = std::shared_ptr<const StatorModel>;
+
+  explicit Known(Input asked) : input(std::move(asked)), stator(solved(input)) {}
+
+  const Model& wave(Derivatives derivatives) const {
+    return waves[static_cast<std::size_t>(derivatives)].get(
+        [&] { return std::make_shared<const StatorModel>(stator.wave(derivatives)); });
+  }
+  const stator::Derived& separation(Derivatives derivatives) const {
+    return separations[static_cast<std::size_t>(derivatives)].get(
+        [&] { return stator.mode_separation(derivatives); });
+  }
+  const Model& whole() const {
+    return all.get([&] {
+      auto model = std::make_shared<StatorModel>(*wave(Derivatives::all));
+      model->mode_separation = separation(Derivatives::all);
+      model->unwanted = stator.unwanted();
+      return Model(std::move(model));
+    });
+  }
+
+  static stator::SolvedStator solved(const Input& input) {
+    std::array<double, kShapePoints.size() + 2> offsets{};
+    const double half = 0.5 * input.contact_width;
+    std::transform(kShapePoints.begin(), kShapePoints.end(), offsets.begin(),
+                   [=](double point) { return half * point; });
+    offsets[kShapePoints.size()] = -half, offsets.back() = half;
+    return {input.geometry, static_cast<int>(input.wavelengths), input.contact_radius,
+            stator::PlateTheory::mindlin, offsets};
+  }
 
   Input input;
-  Model wave;                                        // without the modes beside the wave
-  mutable std::atomic<const Model*> whole{nullptr};  // with them, once they were needed
+  stator::SolvedStator stator;
+  std::array<Lazy<Model>, 2> waves{};  // without derivatives, and with them
+  std::array<Lazy<stator::Derived>, 2> separations{};
+  Lazy<Model> all{};  // with the modes beside the wave
 };
 
 namespace {
 
-using stator::StatorModel;
-using PlateInput = SolvedPlate::Known::Input;
+using Known = SolvedPlate::Known;
+using PlateInput = Known::Input;
 
 PlateInput plate_input(const MotorDesign& design) {
   const Stator& s = design.stator;
@@ -43,41 +89,27 @@ PlateInput plate_input(const MotorDesign& design) {
   return {*s.geometry, s.wavelengths, s.contact_radius, s.contact_width};
 }
 
-std::shared_ptr<const StatorModel> solved_plate(const PlateInput& input,
-                                                stator::OtherModes others) {
-  std::array<double, kShapePoints.size() + 2> offsets{};
-  const double half = 0.5 * input.contact_width;
-  std::transform(kShapePoints.begin(), kShapePoints.end(), offsets.begin(),
-                 [=](double point) { return half * point; });
-  offsets[kShapePoints.size()] = -half, offsets.back() = half;
-  return std::make_shared<const StatorModel>(stator::stator_model(
-      input.geometry, static_cast<int>(input.wavelengths), input.contact_radius,
-      stator::PlateTheory::mindlin, stator::Derivatives::all, offsets, others));
-}
-
-using Known = SolvedPlate::Known;
-
 bool is_of(const PlateInput& input, const SolvedPlate& plate) {
   return plate.known && plate.known->input == input;
 }
 
-// Two threads that ask at once both solve, and find the same.
-Known::Model with_other_modes(const Known& known) {
-  if (const Known::Model* whole = known.whole.load()) return *whole;
-  auto mine =
-      std::make_unique<const Known::Model>(solved_plate(known.input, stator::OtherModes::found));
-  const Known::Model* first = nullptr;
-  return known.whole.compare_exchange_strong(first, mine.get()) ? *mine.release() : *first;
+// That of the design, or one solved for this call.
+std::shared_ptr<const Known> known_plate(const MotorDesign& design) {
+  PlateInput input = plate_input(design);
+  if (is_of(input, design.stator.plate)) return design.stator.plate.known;
+  return std::make_shared<const Known>(std::move(input));
 }
 
 }  // namespace
 
-std::shared_ptr<const StatorModel> plate_model(const MotorDesign& design,
-                                               stator::OtherModes others) {
-  const PlateInput input = plate_input(design);
-  const SolvedPlate& plate = design.stator.plate;
-  if (!is_of(input, plate)) return solved_plate(input, others);
-  return others == stator::OtherModes::none ? plate.known->wave : with_other_modes(*plate.known);
+std::shared_ptr<const StatorModel> plate_model(const MotorDesign& design, OtherModes others,
+                                               Derivatives derivatives) {
+  const auto known = known_plate(design);
+  return others == OtherModes::none ? known->wave(derivatives) : known->whole();
+}
+
+stator::Derived plate_separation(const MotorDesign& design, Derivatives derivatives) {
+  return known_plate(design)->separation(derivatives);
 }
 
 void keep_plate(MotorDesign& design) {
@@ -86,8 +118,7 @@ void keep_plate(MotorDesign& design) {
   if (is_of(input, design.stator.plate)) return;
   design.stator.plate = {};
   try {
-    auto wave = solved_plate(input, stator::OtherModes::none);
-    design.stator.plate.known = std::make_shared<const Known>(std::move(input), std::move(wave));
+    design.stator.plate.known = std::make_shared<const Known>(std::move(input));
   } catch (const Error&) {  // no plate: whoever needs it says why
   }
 }

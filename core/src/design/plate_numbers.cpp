@@ -13,6 +13,7 @@ namespace {
 
 using P = Parameter;
 using N = PlateNumber;
+using stator::Derivatives;
 using stator::Dimension;
 using stator::OtherModes;
 using stator::StatorModel;
@@ -64,7 +65,8 @@ double slope_of(const MotorDesign& design, const StatorModel& plate, const stato
 std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design) {
   std::array<double, kPlateNumbers> values{};
   try {
-    const auto numbers = plate_values(design, *plate_model(design, OtherModes::none));
+    const auto numbers =
+        plate_values(design, *plate_model(design, OtherModes::none, Derivatives::none));
     std::transform(numbers.begin(), numbers.end(), values.begin(),
                    [](const auto& x) { return x.v; });
   } catch (const InputError&) {
@@ -91,20 +93,20 @@ std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
 
 double mode_separation(const MotorDesign& design) {
   try {
-    return plate_model(design)->mode_separation.v;
+    return plate_separation(design, Derivatives::none).v;
   } catch (const Error&) {  // no plate, or none that carries the wave
     return kNoPlate;
   }
 }
 
 std::array<double, kParameterCount> mode_separation_slopes(const MotorDesign& design) {
-  const auto plate = plate_model(design);
+  const auto plate = plate_model(design, OtherModes::none, Derivatives::none);
+  const stator::Derived separation = plate_separation(design, Derivatives::all);
   std::array<double, kParameterCount> slopes{};
   for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
     const auto parameter = static_cast<Parameter>(moved);
     if (in_use(design, parameter))
-      slopes[moved] =
-          slope_of(design, *plate, plate->mode_separation, index_of(N::mode_separation), parameter);
+      slopes[moved] = slope_of(design, *plate, separation, index_of(N::mode_separation), parameter);
   }
   return slopes;
 }
@@ -128,7 +130,7 @@ std::vector<std::string> geometry_complaints(const MotorDesign& design) {
         "resonance_frequency, modal_mass, force_factor or blocked_capacitance is given"};
   if (auto wrong = geometry_complaints(*s.geometry); !wrong.empty()) return wrong;
   try {
-    const auto plate = plate_model(design, OtherModes::none);
+    const auto plate = plate_model(design, OtherModes::none, Derivatives::none);
     const auto low = std::min_element(plate->shape_values.begin(), plate->shape_values.end(),
                                       [](const auto& a, const auto& b) { return a.v < b.v; });
     if (low->v > 0) return {};

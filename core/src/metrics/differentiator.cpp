@@ -186,13 +186,11 @@ Derived Differentiator::sized(const ModelDual& dual) {
 }
 
 Smoothness Differentiator::of_point(double speed) {
-  for (const auto& [at, kept] : smoothness_) {
-    if (at == speed) return kept;
-  }
+  if (const auto kept = smoothness_.find(speed); kept != smoothness_.end()) return kept->second;
   const Smoothness found =
       worse(smoothness_of(values_.motor_at(speed), values_.point(speed), speed),
             of_normal_contact(values_.motor_at(speed)));
-  return smoothness_.emplace_back(speed, found).second;
+  return smoothness_.emplace(speed, found).first->second;
 }
 
 template <typename T>
@@ -204,18 +202,17 @@ WaveMotion<T> Differentiator::wave_motion(const DrivenMotor<Dual<T, kDirections>
 }
 
 const Differentiator::Moving& Differentiator::moving(double speed) {
-  for (const Moving& kept : duals_) {
-    if (kept.speed == speed) return kept;
-  }
+  if (const auto kept = duals_.find(speed); kept != duals_.end()) return kept->second;
   const SolvedPoint& point = values_.point(speed);
   const ModelDual omega = speed_variable<ModelDual>(speed);
   if (!MotorParts::drive(values_.motor()))
-    return duals_.emplace_back(Moving{speed, &model_, point.differentiated(model_, omega), {}});
+    return duals_.emplace(speed, Moving{&model_, point.differentiated(model_, omega), {}})
+        .first->second;
   const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
       differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
   const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
-  return duals_.emplace_back(
-      Moving{speed, &motor, n, wave_motion<double>(motor, wave_point(motor, n, omega))});
+  const WavePoint<DesignDual> wave = wave_point(motor, n, omega);
+  return duals_.emplace(speed, Moving{&motor, n, wave_motion<double>(motor, wave)}).first->second;
 }
 
 DesignDual Differentiator::held(const ModelDual& dual, double speed) {
@@ -223,12 +220,13 @@ DesignDual Differentiator::held(const ModelDual& dual, double speed) {
   return moving(speed).wave->of(widened(dual));
 }
 
-DesignDual Differentiator::wave_metric_at(Metric metric, const Moving& p) {
-  const ModelDual variable = speed_variable<ModelDual>(p.speed);
+DesignDual Differentiator::wave_metric_at(Metric metric, double speed) {
+  const Moving& p = moving(speed);
+  const ModelDual variable = speed_variable<ModelDual>(speed);
   const auto modes = moving_modes(values_.modes(), p.motor->stator_damping);
   WavePoint<DesignDual> point = wave_point(*p.motor, p.numbers, variable);
   if (needs_backward_wave(metric, modes)) {
-    const auto contact = values_.disturbed_contact_at(p.speed);
+    const auto contact = values_.disturbed_contact_at(speed);
     point = with_backward_wave(metric, point, modes,
                                widened(moved_contact(*p.motor, variable, contact)));
   }
@@ -254,7 +252,7 @@ DesignDual Differentiator::moving_metric(Metric metric, double speed) {
   const Moving& p = moving(speed);
   const ModelDual variable = speed_variable<ModelDual>(speed);
   const DesignDual f = is_wave_metric(metric)
-                           ? wave_metric_at(metric, p)
+                           ? wave_metric_at(metric, speed)
                            : widened(point_metric(metric, p.numbers, variable, *p.motor));
   return p.wave ? p.wave->of(f) : f;
 }

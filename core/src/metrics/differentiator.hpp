@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,6 @@ class Differentiator {
   };
   /// A point with derivatives.
   struct Moving {
-    double speed;
     const DrivenMotor<ModelDual>* motor;
     PointNumbers<ModelDual> numbers;
     std::optional<WaveMotion<double>> wave;  ///< under a voltage
@@ -109,7 +109,7 @@ class Differentiator {
   template <typename T>
   WaveMotion<T> wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
                             const WavePoint<DesignDualOf<T>>& point);
-  DesignDual wave_metric_at(Metric metric, const Moving& point);
+  DesignDual wave_metric_at(Metric metric, double speed);
   DesignDual moving_metric(Metric metric, double speed);
   DesignDual2 along_curve(Metric metric, double speed);
   DesignDual frequency_of(DesignDual excess, const MotorDesign& there, double frequency) const;
@@ -124,9 +124,9 @@ class Differentiator {
   std::optional<DrivenMotor<ModelDual2>> model2_;
   std::vector<std::pair<Metric, Derived>> peak_speeds_;  // of smooth peaks
   // References stay valid.
-  std::deque<Moving> duals_;
+  std::unordered_map<double, Moving> duals_;  // by speed
   std::deque<DrivenMotor<ModelDual>> motors_;
-  std::vector<std::pair<double, Smoothness>> smoothness_;
+  std::unordered_map<double, Smoothness> smoothness_;  // likewise
 };
 
 }  // namespace twum::core

@@ -129,9 +129,7 @@ double Evaluator::speed_of_peak(Metric metric, const Peak& peak) {
 }
 
 const Evaluator::Known& Evaluator::known(double speed) {
-  for (const Known& kept : points_) {
-    if (kept.speed == speed) return kept;
-  }
+  if (const auto kept = points_.find(speed); kept != points_.end()) return kept->second;
   const DrivenMotor<double>* motor = &m_;
   SolvedPoint solved;
   if (MotorParts::drive(motor_)) {
@@ -142,7 +140,7 @@ const Evaluator::Known& Evaluator::known(double speed) {
     solved = solve_point(m_, speed);
   }
   if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
-  return points_.emplace_back(Known{speed, motor, solved});
+  return points_.emplace(speed, Known{motor, std::move(solved)}).first->second;
 }
 
 // An efficiency needs an input power that is more than rounding.

@@ -7,6 +7,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace twum::core {
@@ -75,7 +76,6 @@ class Evaluator {
 
  private:
   struct Known {
-    double speed;
     const DrivenMotor<double>* motor;
     SolvedPoint solved;
   };
@@ -90,7 +90,7 @@ class Evaluator {
   CurveSearch search_;
   std::optional<Thresholds> thresholds_;
   // References stay valid.
-  std::deque<Known> points_;
+  std::unordered_map<double, Known> points_;  // by speed
   std::deque<DrivenMotor<double>> motors_;
 };
 

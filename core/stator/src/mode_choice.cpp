@@ -30,27 +30,36 @@ bool crosses(const Spectrum& spectrum, std::size_t mode) {
 }
 
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
-                  int nodal_diameters, double contact_radius) {
+                  int nodal_diameters) {
   Order order{make_mesh(plate.segments, theory, support, nodal_diameters), {}, {}};
   order.spectrum = solve(order.mesh, plate.segments, kLowest);
-  const double inner = plate.segments.front().inner;
-  const double outer = plate.segments.back().outer;
-  for (std::size_t i = 0; i < order.spectrum.vectors.size(); ++i) {
-    const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[i]);
-    const double at_contact = shape(contact_radius);
-    order.modes.push_back({nodal_diameters, shape.sign_changes(inner, outer),
-                           frequency_of(order.spectrum.eigenvalues[i], plate.segments),
-                           1 / (at_contact * at_contact)});
-  }
+  for (const double eigenvalue : order.spectrum.eigenvalues)
+    order.frequencies.push_back(frequency_of(eigenvalue, plate.segments));
   return order;
 }
 
-Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner) {
-  std::vector<std::size_t> candidates;
-  for (std::size_t i = 0; i < order.modes.size(); ++i) {
-    if (order.modes[i].frequency == 0) continue;  // rigid-body mode
+StatorMode described(const Order& order, const StatorPlate<double>& plate, double contact_radius,
+                     std::size_t mode) {
+  const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[mode]);
+  const double at_contact = shape(contact_radius);
+  return {order.mesh.nodal_diameters,
+          shape.sign_changes(plate.segments.front().inner, plate.segments.back().outer),
+          order.frequencies[mode], 1 / (at_contact * at_contact)};
+}
+
+Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner,
+                   double contact_radius) {
+  struct Candidate {
+    std::size_t mode;
+    double modal_mass;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < order.frequencies.size(); ++i) {
+    if (order.frequencies[i] == 0) continue;  // rigid-body mode
     const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[i]);
-    if (shape.sign_changes(ring_inner, plate.segments.back().outer) == 0) candidates.push_back(i);
+    const double at_contact = shape(contact_radius);
+    if (shape.sign_changes(ring_inner, plate.segments.back().outer) == 0)
+      candidates.push_back({i, 1 / (at_contact * at_contact)});
   }
   if (candidates.empty()) {
     throw EvaluationError(
@@ -61,28 +70,26 @@ Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double 
             " changes its sign on the ring; check wavelengths, support, and the radii and "
             "thicknesses of web and ring");
   }
-  const auto lighter = [&](std::size_t a, std::size_t b) {
-    return order.modes[a].modal_mass < order.modes[b].modal_mass;
-  };
-  std::sort(candidates.begin(), candidates.end(), lighter);
-  const std::size_t chosen = candidates.front();
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.modal_mass < b.modal_mass; });
+  const std::size_t chosen = candidates.front().mode;
   if (crosses(order.spectrum, chosen)) return {chosen, ModeIdentity::crossing};
-  const bool shared = candidates.size() > 1 && order.modes[candidates[1]].modal_mass <
-                                                   kShared * order.modes[chosen].modal_mass;
+  const bool shared =
+      candidates.size() > 1 && candidates[1].modal_mass < kShared * candidates.front().modal_mass;
   return {chosen, shared ? ModeIdentity::shared : ModeIdentity::clear};
 }
 
 std::vector<ModePlace> by_distance(const std::vector<Order>& orders, const ModePlace& chosen) {
   std::vector<ModePlace> others;
   for (std::size_t o = 0; o < orders.size(); ++o) {
-    for (std::size_t m = 0; m < orders[o].modes.size(); ++m) {
-      const bool rigid = orders[o].modes[m].frequency == 0;
+    for (std::size_t m = 0; m < orders[o].frequencies.size(); ++m) {
+      const bool rigid = orders[o].frequencies[m] == 0;
       if (!rigid && !(o == chosen.order && m == chosen.mode)) others.push_back({o, m});
     }
   }
-  const double own = orders[chosen.order].modes[chosen.mode].frequency;
+  const double own = orders[chosen.order].frequencies[chosen.mode];
   const auto distance = [&](const ModePlace& place) {
-    return std::abs(orders[place.order].modes[place.mode].frequency - own);
+    return std::abs(orders[place.order].frequencies[place.mode] - own);
   };
   std::stable_sort(others.begin(), others.end(), [&](const ModePlace& a, const ModePlace& b) {
     return distance(a) < distance(b);

@@ -14,11 +14,15 @@ namespace twum::stator {
 struct Order {
   Mesh mesh;
   Spectrum spectrum;
-  std::vector<StatorMode> modes;  ///< the lowest modes, in the order of the spectrum
+  std::vector<double> frequencies;  ///< of the lowest modes; 0 of rigid-body modes [Hz]
 };
 
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
-                  int nodal_diameters, double contact_radius);
+                  int nodal_diameters);
+
+/// What a mode of an order is.
+StatorMode described(const Order& order, const StatorPlate<double>& plate, double contact_radius,
+                     std::size_t mode);
 
 /// Position of a mode among all modes.
 struct ModePlace {
@@ -34,7 +38,8 @@ struct Choice {
 
 /// The mode of an order that keeps its sign on the ring and has the smallest modal mass.
 /// @throws EvaluationError "no-ring-mode"
-Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner);
+Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner,
+                   double contact_radius);
 
 /// Whether another mode of the order has the same eigenvalue to 1e-6.
 bool crosses(const Spectrum& spectrum, std::size_t mode);

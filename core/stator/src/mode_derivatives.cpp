@@ -23,12 +23,8 @@ Vector direction(const std::vector<Derived>& numbers, std::size_t k) {
 
 Derived derived_eigenvalue(const Mesh& mesh, const std::vector<SegmentOf<Derived>>& segments,
                            const Spectrum& spectrum, std::size_t mode) {
-  const Vector& c = spectrum.vectors[mode];
-  const auto change = forces(mesh, segments, c, spectrum.eigenvalues[mode]);
-  Derived eigenvalue(spectrum.eigenvalues[mode]);
-  for (std::size_t k = 0; k < kDimensions; ++k) {
-    eigenvalue.d[k] = product(c, direction(change.residual, k));
-  }
+  Derived eigenvalue = energy(mesh, segments, spectrum.vectors[mode], spectrum.eigenvalues[mode]);
+  eigenvalue.v = spectrum.eigenvalues[mode];
   return eigenvalue;
 }
 

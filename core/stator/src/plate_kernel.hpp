@@ -86,24 +86,30 @@ PlatePoint<S> plate_point(const Mesh& mesh, const Element& element,
 template <typename S>
 using Fields = std::array<std::array<S, 3>, 3>;  // [field][order of derivative with respect to rho]
 
+/// Highest derivative of a field in the energies of an element: functions with a continuous value have the first.
+inline std::size_t orders(const Element& element) {
+  return element.table->basis.continuity == Continuity::value ? 2 : 3;
+}
+
 /// Fields of a vector of coefficients, and their derivatives, at a Gauss point. The coefficient of a
 /// Hermite function of slope is the slope: the function is scaled by half of the element's width.
-template <typename S>
+/// @tparam C  of the coefficients: double where they do not move
+template <typename S, typename C>
 Fields<S> fields_at(const Element& element, std::size_t q, const S& half,
-                    const std::vector<S>& coefficients) {
+                    const std::vector<C>& coefficients) {
   Fields<S> fields;
   for (auto& field : fields) field = {S(0.0), S(0.0), S(0.0)};
   const Basis& basis = element.table->basis;
   S power(1.0);
-  for (std::size_t order = 0; order < 3; ++order) {
+  for (std::size_t order = 0; order < orders(element); ++order) {
     const auto& shapes = element.table->values[order][q];
     for (std::size_t field = 0; field < element.dofs.size(); ++field) {
-      S plain(0.0);
-      S slopes(0.0);
+      C plain(0.0);
+      C slopes(0.0);
       for (std::size_t i = 0; i < shapes.size(); ++i) {
         const int dof = element.dofs[field][i];
         if (dof < 0) continue;
-        S& sum = basis.is_slope(static_cast<int>(i)) ? slopes : plain;
+        C& sum = basis.is_slope(static_cast<int>(i)) ? slopes : plain;
         sum += shapes[i] * coefficients[static_cast<std::size_t>(dof)];
       }
       fields[field][order] = (plain + half * slopes) * power;
@@ -135,7 +141,7 @@ void add_to_coefficients(std::vector<S>& result, const Element& element, std::si
                          const S& half, const Fields<S>& forces) {
   const Basis& basis = element.table->basis;
   S power(1.0);
-  for (std::size_t order = 0; order < 3; ++order) {
+  for (std::size_t order = 0; order < orders(element); ++order) {
     const auto& shapes = element.table->values[order][q];
     for (std::size_t field = 0; field < element.dofs.size(); ++field) {
       const S plain = forces[field][order] * power;

@@ -5,8 +5,9 @@
 #include <twum/base/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <memory>
 
 namespace twum::stator {
 namespace {
@@ -37,6 +38,18 @@ bool held(InnerEdge edge, PlateTheory theory, int field, int function) {
   if (edge == InnerEdge::free) return false;
   if (edge == InnerEdge::clamped) return true;
   return theory == PlateTheory::mindlin ? field != 1 : function == 0;
+}
+
+// The functions of an element at the Gauss points; the tables are the same for all plates.
+std::shared_ptr<const BasisTable> basis_of(PlateTheory theory, bool narrow) {
+  const auto made = [](Continuity continuity, int degree) {
+    return std::make_shared<const BasisTable>(make_table(continuity, degree));
+  };
+  static const std::array mindlin{made(Continuity::value, kDegree),
+                                  made(Continuity::value, kNarrowDegree)};
+  static const std::array kirchhoff{made(Continuity::slope, kDegree),
+                                    made(Continuity::slope, kNarrowDegree)};
+  return (theory == PlateTheory::mindlin ? mindlin : kirchhoff)[narrow ? 1 : 0];
 }
 
 // Numbers the functions of an element; those of its inner end are the outer ones of the element before.
@@ -86,17 +99,13 @@ Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEd
                int nodal_diameters) {
   check_widths(segments, theory);
   Mesh mesh{theory, nodal_diameters, 0, {}};
-  std::map<int, std::shared_ptr<const BasisTable>> tables;
-  const auto continuity = theory == PlateTheory::mindlin ? Continuity::value : Continuity::slope;
   const double width = segments.back().outer - segments.front().inner;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto edges = element_edges(segments[s]);
     for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
       const double share =
           (edges[e + 1] - edges[e]) * (segments[s].outer - segments[s].inner) / width;
-      const int degree = share < kNarrow ? kNarrowDegree : kDegree;
-      auto& table = tables[degree];
-      if (!table) table = std::make_shared<BasisTable>(make_table(continuity, degree));
+      const auto table = basis_of(theory, share < kNarrow);
       const Element* before = mesh.elements.empty() ? nullptr : &mesh.elements.back();
       auto dofs = number_functions(mesh, table->basis, before, inner_edge);
       mesh.elements.push_back({s, edges[e], edges[e + 1], table, std::move(dofs)});

@@ -71,21 +71,24 @@ Matrices element_matrices(const Mesh& mesh, const Element& element,
                           const std::vector<Segment>& segments) {
   const Section& section = segments[element.segment].section;
   const auto size = static_cast<Index>(element.dofs.size()) * element.table->basis.size();
-  Matrices sum{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
+  const auto points = static_cast<Index>(element.table->points.size());
   const Eigen::Matrix<double, 5, 5> elastic = elasticity(section);
   const Eigen::Vector3d inertia(section.mass, section.rotary_inertia, section.rotary_inertia);
-  for (std::size_t q = 0; q < element.table->points.size(); ++q) {
-    const auto at = plate_point(mesh, element, segments, q);
-    const auto strain = forms_at<5>(element, q, at.half,
+  MatrixXd strains(5 * points, size), stresses(5 * points, size);  // of all points
+  MatrixXd motions(3 * points, size), momenta(3 * points, size);
+  for (Index q = 0; q < points; ++q) {
+    const auto number = static_cast<std::size_t>(q);
+    const auto at = plate_point(mesh, element, segments, number);
+    const auto strain = forms_at<5>(element, number, at.half,
                                     strain_terms(mesh.theory, mesh.nodal_diameters, at.radius));
-    const auto motion = forms_at<3>(element, q, at.half,
+    const auto motion = forms_at<3>(element, number, at.half,
                                     motion_terms(mesh.theory, mesh.nodal_diameters, at.radius));
-    const Forms<5> stress = at.weight * elastic.lazyProduct(strain);
-    const Forms<3> momentum = at.weight * inertia.asDiagonal() * motion;
-    sum.stiffness += strain.transpose().lazyProduct(stress);
-    sum.mass += motion.transpose().lazyProduct(momentum);
+    strains.middleRows<5>(5 * q) = strain;
+    stresses.middleRows<5>(5 * q) = at.weight * elastic.lazyProduct(strain);
+    motions.middleRows<3>(3 * q) = motion;
+    momenta.middleRows<3>(3 * q) = at.weight * inertia.asDiagonal() * motion;
   }
-  return sum;
+  return {strains.transpose() * stresses, motions.transpose() * momenta};
 }
 
 Matrices assembled(const Mesh& mesh, const std::vector<Segment>& segments) {

@@ -45,7 +45,6 @@ template <typename S>
 Forces<S> forces(const Mesh& mesh, const std::vector<SegmentOf<S>>& segments,
                  const std::vector<double>& solution, double eigenvalue) {
   const auto unknowns = static_cast<std::size_t>(mesh.unknowns);
-  const std::vector<S> coefficients(solution.begin(), solution.end());
   Forces<S> result{std::vector<S>(unknowns, S(0.0)), std::vector<S>(unknowns, S(0.0))};
   Fields<S> zero;
   for (auto& field : zero) field = {S(0.0), S(0.0), S(0.0)};
@@ -53,7 +52,7 @@ Forces<S> forces(const Mesh& mesh, const std::vector<SegmentOf<S>>& segments,
     const SectionOf<S>& section = segments[element.segment].section;
     for (std::size_t q = 0; q < element.table->points.size(); ++q) {
       const auto at = plate_point(mesh, element, segments, q);
-      const auto fields = fields_at(element, q, at.half, coefficients);
+      const auto fields = fields_at(element, q, at.half, solution);
       const auto strains = strain_terms(mesh.theory, mesh.nodal_diameters, at.radius);
       const auto motions = motion_terms(mesh.theory, mesh.nodal_diameters, at.radius);
       auto stress = stresses(section, applied<5>(strains, fields));
@@ -74,6 +73,33 @@ Forces<S> forces(const Mesh& mesh, const std::vector<SegmentOf<S>>& segments,
     }
   }
   return result;
+}
+
+/// c' (K - lambda M) c of a plate in numbers of the kind S. With dual numbers and a solution c the derivatives are those of
+/// lambda, by Rayleigh's quotient.
+template <typename S>
+S energy(const Mesh& mesh, const std::vector<SegmentOf<S>>& segments,
+         const std::vector<double>& solution, double eigenvalue) {
+  S sum(0.0);
+  for (const Element& element : mesh.elements) {
+    const SectionOf<S>& section = segments[element.segment].section;
+    for (std::size_t q = 0; q < element.table->points.size(); ++q) {
+      const auto at = plate_point(mesh, element, segments, q);
+      const auto fields = fields_at(element, q, at.half, solution);
+      const auto strain =
+          applied<5>(strain_terms(mesh.theory, mesh.nodal_diameters, at.radius), fields);
+      const auto motion =
+          applied<3>(motion_terms(mesh.theory, mesh.nodal_diameters, at.radius), fields);
+      const auto stress = stresses(section, strain);
+      S density(0.0);
+      for (std::size_t i = 0; i < strain.size(); ++i) density += stress[i] * strain[i];
+      density -=
+          eigenvalue * (section.mass * motion[0] * motion[0] +
+                        section.rotary_inertia * (motion[1] * motion[1] + motion[2] * motion[2]));
+      sum += at.weight * density;
+    }
+  }
+  return sum;
 }
 
 }  // namespace twum::stator

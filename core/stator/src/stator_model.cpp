@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <string>
 
 namespace twum::stator {
@@ -87,85 +89,137 @@ void check_track(const StatorPlate<double>& plate, double contact_radius,
   }
 }
 
-// The modes of a stator and the one that was chosen.
-struct Modes {
-  StatorPlate<double> plate;
-  std::vector<Order> orders;
-  ModePlace wave;
-  ModeIdentity identity;
-  std::vector<ModePlace> others;  // nearest frequency first
+}  // namespace
 
-  const Order& order() const { return orders[wave.order]; }
-  const StatorMode& mode(const ModePlace& place) const {
-    return orders[place.order].modes[place.mode];
+// The modes that were solved, and those beside the wave once they are needed.
+struct SolvedStator::Modes {
+  StatorGeometry geometry;
+  int wavelengths;
+  double contact_radius;
+  PlateTheory theory;
+  std::vector<double> offsets;
+  StatorPlate<double> plate;
+  Order order;
+  std::size_t wave;
+  ModeIdentity identity;
+
+  /// The wave among the modes of all orders, and the others, nearest frequency first.
+  struct All {
+    std::vector<Order> orders;
+    ModePlace wave;
+    std::vector<ModePlace> others;
+
+    double frequency(const ModePlace& place) const {
+      return orders[place.order].frequencies[place.mode];
+    }
+    double distance(const ModePlace& place) const {
+      return std::abs(frequency(place) - frequency(wave));
+    }
+  };
+  const All& all() const {
+    std::call_once(beside_asked, [&] { beside = solved_beside(); });
+    return *beside;
   }
-  double distance(const ModePlace& place) const {
-    return std::abs(mode(place).frequency - mode(wave).frequency);
+
+  // P4.7
+  All solved_beside() const {
+    All all;
+    const int lowest = std::max(0, wavelengths - 2);
+    for (int n = lowest; n <= wavelengths + 2; ++n)
+      all.orders.push_back(n == wavelengths ? order
+                                            : solve_order(plate, theory, geometry.support, n));
+    all.wave = {static_cast<std::size_t>(wavelengths - lowest), wave};
+    all.others = by_distance(all.orders, all.wave);
+    return all;
   }
+
+  mutable std::once_flag beside_asked{};
+  mutable std::optional<All> beside{};
 };
 
-Modes find_modes(const StatorGeometry& geometry, int wavelengths, double contact_radius,
-                 PlateTheory theory, std::span<const double> offsets, OtherModes others) {
-  Modes modes{make_plate(geometry, plain_numbers(geometry, contact_radius)), {}, {}, {}, {}};
-  check_wave(geometry, modes.plate, wavelengths, contact_radius);
-  check_track(modes.plate, contact_radius, offsets);
-  const int beside = others == OtherModes::found ? 2 : 0;
-  const int lowest = std::max(0, wavelengths - beside);
-  for (int n = lowest; n <= wavelengths + beside; ++n) {
-    modes.orders.push_back(solve_order(modes.plate, theory, geometry.support, n, contact_radius));
-  }
-  modes.wave.order = static_cast<std::size_t>(wavelengths - lowest);
+SolvedStator::SolvedStator(const StatorGeometry& geometry, int wavelengths, double contact_radius,
+                           PlateTheory theory, std::span<const double> offsets) {
+  check_geometry(geometry);
+  StatorPlate<double> plate = make_plate(geometry, plain_numbers(geometry, contact_radius));
+  check_wave(geometry, plate, wavelengths, contact_radius);
+  check_track(plate, contact_radius, offsets);
+  Order order = solve_order(plate, theory, geometry.support, wavelengths);
   const double ring_inner =
-      geometry.web ? geometry.web->outer_radius : modes.plate.segments.front().inner;
-  const Choice choice = choose_mode(modes.order(), modes.plate, ring_inner);
-  modes.wave.mode = choice.mode;
-  modes.identity = choice.identity;
-  if (others == OtherModes::found) modes.others = by_distance(modes.orders, modes.wave);
-  return modes;
+      geometry.web ? geometry.web->outer_radius : plate.segments.front().inner;
+  const Choice choice = choose_mode(order, plate, ring_inner, contact_radius);
+  modes_.reset(new Modes{geometry,
+                         wavelengths,
+                         contact_radius,
+                         theory,
+                         {offsets.begin(), offsets.end()},
+                         std::move(plate),
+                         std::move(order),
+                         choice.mode,
+                         choice.identity});
 }
 
 // Distance to the nearest other mode (P4.7). It has no derivative where two others are equally near, where
 // it is zero, and where the other mode crosses one of its own order.
-Derived mode_separation(const Modes& modes, const StatorPlate<Derived>* dual_plate) {
-  if (modes.others.empty()) return undifferentiated(std::numeric_limits<double>::quiet_NaN());
-  const ModePlace nearest = modes.others[0];
-  const double value = modes.distance(nearest);
-  const double tie = 1e-9 * modes.mode(modes.wave).frequency;
-  const bool kink = value < tie || modes.distance(modes.others[1]) - value < tie ||
-                    crosses(modes.orders[nearest.order].spectrum, nearest.mode);
-  if (!dual_plate || kink) return undifferentiated(value);
+Derived SolvedStator::mode_separation(Derivatives derivatives) const {
+  const Modes::All& all = modes_->all();
+  if (all.others.empty()) return undifferentiated(std::numeric_limits<double>::quiet_NaN());
+  const ModePlace nearest = all.others[0];
+  const double value = all.distance(nearest);
+  const double tie = 1e-9 * all.frequency(all.wave);
+  const bool kink = value < tie || all.distance(all.others[1]) - value < tie ||
+                    crosses(all.orders[nearest.order].spectrum, nearest.mode);
+  const bool wave_crosses = modes_->identity == ModeIdentity::crossing;
+  if (derivatives == Derivatives::none || kink || wave_crosses) return undifferentiated(value);
+  const auto plate =
+      make_plate(modes_->geometry, dual_numbers(modes_->geometry, modes_->contact_radius));
   const auto frequency = [&](const ModePlace& place) {
-    const Order& order = modes.orders[place.order];
-    return sqrt(derived_eigenvalue(order.mesh, dual_plate->segments, order.spectrum, place.mode)) /
+    const Order& order = all.orders[place.order];
+    return sqrt(derived_eigenvalue(order.mesh, plate.segments, order.spectrum, place.mode)) /
            (2 * std::numbers::pi);
   };
-  return magnitude(frequency(nearest) - frequency(modes.wave));
+  return magnitude(frequency(nearest) - frequency(all.wave));
+}
+
+std::vector<StatorMode> SolvedStator::unwanted() const {
+  const Modes::All& all = modes_->all();
+  std::vector<StatorMode> list;
+  for (const ModePlace& place : all.others)
+    list.push_back(
+        described(all.orders[place.order], modes_->plate, modes_->contact_radius, place.mode));
+  return list;
 }
 
 // Numbers of the wave's mode, differentiated if that is wanted and possible.
-StatorModel wave_numbers(const Modes& modes, const StatorGeometry& geometry, double contact_radius,
-                         Derivatives derivatives, std::span<const double> offsets) {
-  const Order& order = modes.order();
-  const double waves = geometry.electrodes.waves_per_phase;
-  const std::size_t mode = modes.wave.mode;
-  if (derivatives == Derivatives::none || modes.identity == ModeIdentity::crossing) {
-    const Solution<double> solution{order.spectrum.eigenvalues[mode], order.spectrum.vectors[mode]};
-    StatorModel model =
-        published(mode_numbers(order.mesh, modes.plate, plain_numbers(geometry, contact_radius),
-                               solution, waves, offsets));
-    model.mode_separation = mode_separation(modes, nullptr);
-    return model;
+StatorModel SolvedStator::numbers(Derivatives derivatives) const {
+  const Modes& m = *modes_;
+  const double waves = m.geometry.electrodes.waves_per_phase;
+  if (derivatives == Derivatives::none || m.identity == ModeIdentity::crossing) {
+    const Solution<double> solution{m.order.spectrum.eigenvalues[m.wave],
+                                    m.order.spectrum.vectors[m.wave]};
+    return published(mode_numbers(m.order.mesh, m.plate,
+                                  plain_numbers(m.geometry, m.contact_radius), solution, waves,
+                                  m.offsets));
   }
-  const auto numbers = dual_numbers(geometry, contact_radius);
-  const auto plate = make_plate(geometry, numbers);
+  const auto numbers = dual_numbers(m.geometry, m.contact_radius);
+  const auto plate = make_plate(m.geometry, numbers);
   const auto solution =
-      derived_solution(order.mesh, modes.plate.segments, plate.segments, order.spectrum, mode);
-  StatorModel model = published(mode_numbers(order.mesh, plate, numbers, solution, waves, offsets));
-  model.mode_separation = mode_separation(modes, &plate);
-  return model;
+      derived_solution(m.order.mesh, m.plate.segments, plate.segments, m.order.spectrum, m.wave);
+  return published(mode_numbers(m.order.mesh, plate, numbers, solution, waves, m.offsets));
 }
 
-}  // namespace
+StatorModel SolvedStator::wave(Derivatives derivatives) const {
+  const Modes& m = *modes_;
+  StatorModel model = numbers(derivatives);
+  model.mode_separation = undifferentiated(std::numeric_limits<double>::quiet_NaN());
+  model.shape =
+      normalized(deflection(m.order.mesh, m.plate.segments, m.order.spectrum.vectors[m.wave]),
+                 m.contact_radius);
+  model.nodal_circles =
+      model.shape.sign_changes(m.plate.segments.front().inner, m.plate.segments.back().outer);
+  model.identity = m.identity;
+  model.joint_edges = find_edges(m.geometry).joint;
+  return model;
+}
 
 std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_diameters, int count,
                                     PlateTheory theory) {
@@ -177,17 +231,11 @@ std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_di
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                          PlateTheory theory, Derivatives derivatives,
                          std::span<const double> offsets, OtherModes others) {
-  check_geometry(geometry);
-  const Modes modes = find_modes(geometry, wavelengths, contact_radius, theory, offsets, others);
-  StatorModel model = wave_numbers(modes, geometry, contact_radius, derivatives, offsets);
-  const Order& order = modes.order();
-  model.shape = normalized(
-      deflection(order.mesh, modes.plate.segments, order.spectrum.vectors[modes.wave.mode]),
-      contact_radius);
-  model.nodal_circles = modes.mode(modes.wave).nodal_circles;
-  model.identity = modes.identity;
-  for (const ModePlace& place : modes.others) model.unwanted.push_back(modes.mode(place));
-  model.joint_edges = find_edges(geometry).joint;
+  const SolvedStator solved(geometry, wavelengths, contact_radius, theory, offsets);
+  StatorModel model = solved.wave(derivatives);
+  if (others == OtherModes::none) return model;
+  model.mode_separation = solved.mode_separation(derivatives);
+  model.unwanted = solved.unwanted();
   return model;
 }
 

@@ -67,6 +67,7 @@ bool FitSpace::evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& r, Eigen::Mat
   Residuals found;
   try {
     found = function_(b);
+    count_ = std::max(count_, found.count());
   } catch (const EvaluationError& e) {
     found.failure = e.reason();
   }
@@ -82,7 +83,7 @@ bool FitSpace::to_search_scale(const Residuals& found, const std::vector<double>
   const Index n = t_.size();
   if (found.jacobian.size() != found.values.size() * b.size())
     throw InputError("least squares: the Jacobian has the wrong size");
-  if (m < n - (lower_.array() == upper_.array()).count())
+  if (static_cast<Index>(found.count()) < n - (lower_.array() == upper_.array()).count())
     throw InputError("least squares: there are fewer residuals than free parameters");
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   r = Eigen::Map<const Eigen::VectorXd>(found.values.data(), m);
@@ -147,7 +148,7 @@ LeastSquaresResult FitSpace::result(const FitEnd& end) const {
     e.at_bound = std::find(free.begin(), free.end(), static_cast<Index>(j)) == free.end();
     result.estimates.push_back(e);
   }
-  fit_statistics({user_jacobian(b), r_, free, parameters_}, options_, result);
+  fit_statistics({user_jacobian(b), r_, free, parameters_, count_}, options_, result);
   // If the residuals are only rounding errors, their direction has no meaning, and the point is optimal.
   const bool exact = r_.norm() <= 1e-13 * size_of_terms(end.cut_short);
   const bool stationary = result.gradient <= 1e-5 || exact;

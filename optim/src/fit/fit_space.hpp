@@ -62,7 +62,8 @@ class FitSpace {
   Eigen::VectorXd t_, lower_, upper_, r_;
   Eigen::MatrixXd j_;
   Counters counters_;
-  double first_{0.0};  // norm of the residuals at the start
+  double first_{0.0};     // norm of the residuals at the start
+  std::size_t count_{0};  // measured residuals, of which condensed ones are fewer
 };
 
 /// GSL's trust region method on the parameters that are not at a bound.

@@ -212,7 +212,7 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
                     LeastSquaresResult& result) {
   const auto n = static_cast<Index>(state.free.size());
   result.follows.assign(result.estimates.size() * result.estimates.size(), 0.0);
-  result.degrees_of_freedom = static_cast<std::size_t>(state.residuals.size() - n);
+  result.degrees_of_freedom = state.count - state.free.size();
   const double freedom = static_cast<double>(result.degrees_of_freedom);
   result.residual_deviation =
       freedom > 0.0 ? state.residuals.stableNorm() / std::sqrt(freedom) : kNan;

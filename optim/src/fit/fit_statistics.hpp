@@ -14,6 +14,7 @@ struct FittedState {
   const Eigen::VectorXd& residuals;
   const std::vector<Eigen::Index>& free;  // parameters that are not at a bound
   const std::vector<Variable>& parameters;
+  std::size_t count;  // measured residuals, of which condensed ones are fewer
   double scatter{
       std::numeric_limits<double>::quiet_NaN()};  // if it does not follow from the residuals
 };

@@ -104,7 +104,7 @@ class HuberFit {
         raw.jacobian.data(), size(raw), static_cast<Index>(parameters_.size()));
     fit_.directions.clear();
     fit_.undetermined.clear();
-    fit_statistics({jacobian, r, free, parameters_, scatter}, options_, fit_);
+    fit_statistics({jacobian, r, free, parameters_, raw.count(), scatter}, options_, fit_);
     if (!known()) fit_.residual_deviation = scale_;
   }
 

@@ -57,7 +57,7 @@ std::vector<std::vector<std::string>> lost_rank(const std::vector<Variable>& par
     const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(there.values.data(), count);
     LeastSquaresResult found;
     found.estimates = fit.estimates;
-    fit_statistics({jacobian, values, free, parameters}, options, found);
+    fit_statistics({jacobian, values, free, parameters, there.count()}, options, found);
     if (found.rank <= rank) continue;
     rank = found.rank;
     sets = found.undetermined;

@@ -32,7 +32,9 @@ bool is_joint(const stator::StatorModel& plate, std::string_view name) {
 // A radius of the design that coincides with another one and does not follow from it; nothing if there is none.
 std::optional<Parameter> radius_beside(const MotorDesign& design, Parameter radius,
                                        const std::vector<DerivedParameter>& derived) {
-  if (!is_joint(*plate_model(design, stator::OtherModes::none), info(radius).name)) return {};
+  if (!is_joint(*plate_model(design, stator::OtherModes::none, stator::Derivatives::none),
+                info(radius).name))
+    return {};
   const double place = get(design, radius),
                same = kSameEdge * get(design, Parameter::substrate_outer_radius);
   for (const Parameter other : kRadii) {

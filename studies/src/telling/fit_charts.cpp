@@ -97,12 +97,13 @@ std::vector<Section> circle(const CalibrateResult& answer, const std::vector<Fit
   const FitCurve* up = part_of(curves, "susceptance");
   if (along == nullptr || up == nullptr) return {};
   Series dots{"measured", Stroke::dots, {}, {}, "ink"};
+  std::multimap<std::string, double> up_at;
+  for (const std::size_t j : up->points) up_at.emplace(answer.data[j].where, answer.data[j].value);
   for (const std::size_t i : along->points)
-    for (const std::size_t j : up->points)
-      if (answer.data[i].where == answer.data[j].where) {
-        dots.x.values.push_back(answer.data[i].value);
-        dots.y.values.push_back(answer.data[j].value);
-      }
+    for (auto [at, end] = up_at.equal_range(answer.data[i].where); at != end; ++at) {
+      dots.x.values.push_back(answer.data[i].value);
+      dots.y.values.push_back(at->second);
+    }
   if (dots.x.values.empty()) return {};
   Chart chart{"circle", {"impedance circle"}, {{"conductance"}, "S"}, {{"susceptance"}, "S"}};
   if (along->at == up->at)

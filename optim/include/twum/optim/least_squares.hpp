@@ -13,7 +13,16 @@ struct Residuals {
   std::vector<double> values{};    ///< in units of the weights
   std::vector<double> jacobian{};  ///< values.size() rows of one entry a parameter
   std::string failure{};           ///< short reason; empty: it worked
+  std::size_t stand_for{0};        ///< residuals that condensed ones stand for; 0: themselves
+
+  /// Number of measured residuals.
+  std::size_t count() const noexcept { return stand_for > 0 ? stand_for : values.size(); }
 };
+
+/// At most one residual more than there are parameters, with the same sum of squares and the same products J^T r and J^T J
+/// but for rounding: [J r] = Q [R q], of which R and q are kept (L1.2). To a fit of squares they are the same residuals. Cost:
+/// m (n + 1)^2 operations for m residuals of n parameters.
+Residuals condensed(const Residuals& residuals);
 
 /// Parameters in user units; fixed size of the answer. May throw EvaluationError for a failure.
 using ResidualFunction = std::function<Residuals(std::span<const double> parameters)>;

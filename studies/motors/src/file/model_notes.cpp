@@ -103,7 +103,7 @@ void add_contact(const MotorDesign& design, const Motor& motor, std::vector<Mode
 // The note on two similar modes of the stator, of which one was taken for the wave.
 void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
   if (!design.stator.geometry) return;
-  switch (plate_model(design, stator::OtherModes::none)->identity) {
+  switch (plate_model(design, stator::OtherModes::none, stator::Derivatives::none)->identity) {
     case stator::ModeIdentity::clear: break;
     case stator::ModeIdentity::shared:
       notes.push_back(

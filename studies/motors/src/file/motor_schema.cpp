@@ -322,7 +322,8 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
     if (!design.stator.geometry) return true;
     for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
     if (diagnostics.empty())
-      plate_model(design, stator::OtherModes::none);  // throws if there is no mode for the wave
+      plate_model(design, stator::OtherModes::none,
+                  stator::Derivatives::none);  // throws if there is no mode for the wave
   } catch (const EvaluationError& error) {
     say_of_motor(error.what(), given, diagnostics);
   } catch (const InputError& error) {

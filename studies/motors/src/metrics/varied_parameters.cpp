@@ -147,7 +147,7 @@ namespace {
 void require_wave(const MotorDesign& design) {
   if (!design.stator.geometry) return;
   try {
-    plate_model(design, stator::OtherModes::none);
+    plate_model(design, stator::OtherModes::none, stator::Derivatives::none);
   } catch (const InputError&) {
   }
 }

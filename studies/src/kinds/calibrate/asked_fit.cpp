@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace twum::studies {
@@ -179,23 +180,6 @@ MeasuredPoints checked_table(const CalibrateStudy& asked, const MotorDesign& mot
   return table;
 }
 
-// Sets missing standard deviations to the root mean square of their column, for a first fit.
-void give_sizes(std::vector<MeasuredPoint>& points) {
-  std::vector<double> sizes;
-  for (const MeasuredPoint& point : points) {
-    double squares = 0;
-    double count = 0;
-    for (const MeasuredPoint& other : points) {
-      if (!same_column(point, other)) continue;
-      squares += other.value * other.value;
-      ++count;
-    }
-    sizes.push_back(squares > 0 ? std::sqrt(squares / count) : 1);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].deviation == 0) points[i].deviation = sizes[i];
-}
-
 std::vector<std::size_t> columns_of(const std::vector<MeasuredPoint>& points) {
   std::vector<const MeasuredPoint*> firsts;
   std::vector<std::size_t> columns;
@@ -206,6 +190,22 @@ std::vector<std::size_t> columns_of(const std::vector<MeasuredPoint>& points) {
     if (known == firsts.end()) firsts.push_back(&point);
   }
   return columns;
+}
+
+// Sets missing standard deviations to the root mean square of their column, for a first fit.
+void give_sizes(std::vector<MeasuredPoint>& points) {
+  struct Column {
+    double squares{0}, count{0};
+    double size() const { return squares > 0 ? std::sqrt(squares / count) : 1; }
+  };
+  std::map<std::size_t, Column> columns;
+  const std::vector<std::size_t> column = columns_of(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    columns[column[i]].squares += points[i].value * points[i].value;
+    ++columns[column[i]].count;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].deviation == 0) points[i].deviation = columns[column[i]].size();
 }
 
 // Numbers of several kinds are weighed by their standard deviations, and so are those of tables of which some give them.

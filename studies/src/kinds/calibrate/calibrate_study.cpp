@@ -338,8 +338,9 @@ class CalibrateRun final : public StudyKindRun {
       return row;
     }
     row.values.push_back(fit_.rms(residuals.values));
-    std::vector<double> numbers = residuals.values;
-    numbers.insert(numbers.end(), residuals.jacobian.begin(), residuals.jacobian.end());
+    const optim::Residuals kept = condenses() ? optim::condensed(residuals) : residuals;
+    std::vector<double> numbers = kept.values;
+    numbers.insert(numbers.end(), kept.jacobian.begin(), kept.jacobian.end());
     row.detail = packed(numbers);
     return row;
   }
@@ -356,14 +357,20 @@ class CalibrateRun final : public StudyKindRun {
       return residuals;
     }
     const std::vector<double> numbers = unpacked(row.detail);
-    const std::size_t count = fit_.points().size();
+    const std::size_t all = fit_.points().size();
+    const std::size_t count = condenses() ? std::min(all, 1 + variables()) : all;
     if (numbers.size() != count * (1 + variables()))
       throw StoreError("the stored evaluations are damaged: a row has a wrong length");
+    residuals.stand_for = all;
     const auto values_end = numbers.begin() + static_cast<std::ptrdiff_t>(count);
     residuals.values.assign(numbers.begin(), values_end);
     residuals.jacobian.assign(values_end, numbers.end());
     return residuals;
   }
+
+  // A fit of squares needs no more of an evaluation (L1.2); another loss, and columns with a scatter of their own, weigh the
+  // residuals one by one.
+  bool condenses() const { return loss_ == optim::Loss::squares && columns_.empty(); }
 
   bool same_design(const StoredRow& row, std::span<const double> values) const {
     return std::memcmp(row.values.data(), values.data(), values.size_bytes()) == 0;

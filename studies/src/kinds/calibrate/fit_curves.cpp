@@ -59,15 +59,21 @@ class Curves {
 
   std::vector<FitCurve> all() const {
     std::vector<FitCurve> curves;
-    for (std::size_t i = 0; i < result_.data.size(); ++i) sort_in(i, curves);
+    std::map<std::pair<std::string, Argument>, std::optional<NamedValue>> axes;
+    for (std::size_t i = 0; i < result_.data.size(); ++i) {
+      const CalibrateResult::Point& point = result_.data[i];
+      const auto [known, fresh] = axes.try_emplace({point.quantity, point.argument});
+      if (fresh) known->second = axis_of(result_.data, point);
+      sort_in(i, known->second, curves);
+    }
     for (FitCurve& curve : curves) draw(curve);
     return curves;
   }
 
  private:
-  void sort_in(std::size_t number, std::vector<FitCurve>& curves) const {
+  void sort_in(std::size_t number, const std::optional<NamedValue>& over,
+               std::vector<FitCurve>& curves) const {
     const CalibrateResult::Point& point = result_.data[number];
-    const std::optional<NamedValue> over = axis_of(result_.data, point);
     if (!over || std::isnan(place_on(point, *over))) return;
     FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}};
     for (const NamedValue& one : point.set)

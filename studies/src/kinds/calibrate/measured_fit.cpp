@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace twum::studies {
@@ -45,17 +47,66 @@ double FitParameter::between(double a, double b, double share) const {
   return std::clamp(value, min, max);
 }
 
+// Sorts points by their conditions and readings, each found by its key.
+class MeasuredFit::Sorter {
+ public:
+  Sorter(MeasuredFit& fit, const std::vector<DerivedParameter>& derived)
+      : fit_(fit), derived_(derived) {}
+
+  void add(std::size_t point) {
+    const MeasuredPoint& measured = fit_.points_[point];
+    const std::size_t number = condition_of(measured);
+    Condition& condition = fit_.conditions_[number];
+    const auto [known, fresh] =
+        readings_.try_emplace({number, place_of(measured.reading)}, condition.readings.size());
+    if (fresh) {
+      condition.readings.push_back({measured.reading, {}});
+      if (const auto* request = std::get_if<MetricRequest>(&measured.reading))
+        condition.requests.push_back(*request);
+    }
+    condition.readings[known->second].points.push_back(point);
+  }
+
+ private:
+  using Place = std::tuple<std::size_t, int, int, double, double>;
+
+  static Place place_of(const Reading& reading) {
+    const auto* request = std::get_if<MetricRequest>(&reading);
+    if (request == nullptr)
+      return {reading.index(), static_cast<int>(std::get<CircuitPart>(reading)), 0, 0, 0};
+    return {reading.index(), static_cast<int>(request->metric), static_cast<int>(request->argument),
+            request->at, request->torque};
+  }
+
+  std::size_t condition_of(const MeasuredPoint& point) {
+    std::vector<std::size_t> places = fit_.places_in(point.table);
+    const auto [known, fresh] =
+        conditions_.try_emplace({point.set, places}, fit_.conditions_.size());
+    if (!fresh) return known->second;
+    VariedParameters varied(with(fit_.motor_, point.set), fit_.parameters_at(places), derived_);
+    fit_.conditions_.push_back({std::move(places), std::move(varied), {}, {}});
+    for (const auto& [parameter, value] : point.set)
+      if (std::ranges::find(fit_.set_, parameter) == fit_.set_.end())
+        fit_.set_.push_back(parameter);
+    return known->second;
+  }
+
+  MeasuredFit& fit_;
+  const std::vector<DerivedParameter>& derived_;
+  std::map<std::pair<std::vector<ParameterValue>, std::vector<std::size_t>>, std::size_t>
+      conditions_;
+  std::map<std::pair<std::size_t, Place>, std::size_t> readings_;
+};
+
 MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> parameters,
                          std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
     : motor_(motor),
       parameters_(std::move(parameters)),
       points_(std::move(points)),
       varied_(motor_, parameters_at(places_in(0)), derived) {
+  Sorter sorter(*this, derived);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    Condition& condition = condition_of(points_[i], derived);
-    condition.points.push_back(i);
-    if (const auto* request = std::get_if<MetricRequest>(&points_[i].reading))
-      condition.requests.push_back(*request);
+    sorter.add(i);
     mixed_ = mixed_ || !same_kind(points_[i].reading, points_.front().reading);
   }
 }
@@ -83,18 +134,6 @@ MotorDesign MeasuredFit::motor_at(std::span<const double> values, std::size_t ta
   return varied_.motor(picked(values, places_in(table)));
 }
 
-MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,
-                                                  const std::vector<DerivedParameter>& derived) {
-  std::vector<std::size_t> places = places_in(point.table);
-  const auto known = std::find_if(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
-    return c.set == point.set && c.places == places;
-  });
-  if (known != conditions_.end()) return *known;
-  VariedParameters varied(with(motor_, point.set), parameters_at(places), derived);
-  conditions_.push_back({point.set, std::move(places), std::move(varied), {}, {}});
-  return conditions_.back();
-}
-
 bool MeasuredFit::sets(Parameter parameter) const {
   const auto same = [&](Parameter other) {
     return other == parameter || info(other).alternative == parameter;
@@ -102,10 +141,7 @@ bool MeasuredFit::sets(Parameter parameter) const {
   return std::any_of(varied_.varied().begin(), varied_.varied().end(), same) ||
          std::any_of(varied_.derived().begin(), varied_.derived().end(),
                      [&](const DerivedParameter& rule) { return same(rule.parameter); }) ||
-         std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& condition) {
-           return std::any_of(condition.set.begin(), condition.set.end(),
-                              [&](const ParameterValue& one) { return same(one.first); });
-         });
+         std::any_of(set_.begin(), set_.end(), same);
 }
 
 MeasuredFit MeasuredFit::varying(const std::vector<Parameter>& more) const {
@@ -157,16 +193,23 @@ void MeasuredFit::add(const Condition& condition, std::span<const double> values
   std::vector<MetricDerivative> metrics;
   if (!condition.requests.empty()) metrics = differentiate(Motor(motor), condition.requests, fixed);
   auto next = metrics.begin();
-  for (const std::size_t i : condition.points) {
-    const MeasuredPoint& point = points_[i];
-    const auto* part = std::get_if<CircuitPart>(&point.reading);
+  for (const Readings& readings : condition.readings) {
+    const auto* part = std::get_if<CircuitPart>(&readings.reading);
     const MetricDerivative found = part != nullptr ? differentiate(motor, *part, fixed) : *next++;
-    require_value(found, failure_name(point.reading));
-    const double root = std::sqrt(point.weight);
-    result.values[i] = root * (found.value.value - point.value);
-    const auto by = condition.varied.derivatives(found.gradient, slopes);
+    require_value(found, failure_name(readings.reading));
+    add(condition, readings, found, slopes, result);
+  }
+}
+
+void MeasuredFit::add(const Condition& condition, const Readings& readings,
+                      const MetricDerivative& found, const VariedParameters::Slopes& slopes,
+                      optim::Residuals& result) const {
+  const std::vector<double> by = condition.varied.derivatives(found.gradient, slopes);
+  for (const std::size_t i : readings.points) {
+    const double root = std::sqrt(points_[i].weight);
+    result.values[i] = root * (found.value.value - points_[i].value);
     for (std::size_t j = 0; j < by.size(); ++j)
-      result.jacobian[i * values.size() + condition.places[j]] = root * by[j];
+      result.jacobian[i * parameters_.size() + condition.places[j]] = root * by[j];
   }
 }
 

@@ -100,20 +100,26 @@ class MeasuredFit {
   std::vector<optim::Variable> variables(std::span<const double> start) const;
 
  private:
-  // Points that the same parameters were set for, in one table where tables have values of their own.
+  // Readings of one quantity at one place: what the motor has there is computed once.
+  struct Readings {
+    Reading reading;
+    std::vector<std::size_t> points;  // their numbers
+  };
+  // Readings that the same parameters were set for, in one table where tables have values of their own.
   struct Condition {
-    std::vector<ParameterValue> set;
     std::vector<std::size_t> places;  // of its parameters among all
     VariedParameters varied;
-    std::vector<std::size_t> points;      // their numbers
-    std::vector<MetricRequest> requests;  // requests of the points that are metrics, in their order
+    std::vector<Readings> readings;       // each different
+    std::vector<MetricRequest> requests;  // of those that are metrics, in their order
   };
 
   std::vector<std::size_t> places_in(std::size_t table) const;
   std::vector<Parameter> parameters_at(const std::vector<std::size_t>& places) const;
-  Condition& condition_of(const MeasuredPoint& point, const std::vector<DerivedParameter>& derived);
+  class Sorter;
   void add(const Condition& condition, std::span<const double> values,
            optim::Residuals& result) const;
+  void add(const Condition& condition, const Readings& readings, const MetricDerivative& found,
+           const VariedParameters::Slopes& slopes, optim::Residuals& result) const;
   optim::Residuals all_residuals(std::span<const double> values) const;
 
   MotorDesign motor_;
@@ -121,6 +127,7 @@ class MeasuredFit {
   std::vector<MeasuredPoint> points_;
   VariedParameters varied_;  // of the motor as it is, in the first table
   std::vector<Condition> conditions_;
+  std::vector<Parameter> set_;  // by the bench, at any point
   bool mixed_{false};
 };
 

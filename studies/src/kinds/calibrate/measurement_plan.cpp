@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace twum::studies {
 namespace {
@@ -197,15 +198,16 @@ class Planner {
       for (const double factor : {0.75, 1.25})
         list.push_back({{parameter, factor * get(fit_.motor(), parameter)}});
     }
+    std::set known(list.begin(), list.end());
     for (const MeasuredPoint& point : fit_.points())
-      if (same_motor(point, like) && std::find(list.begin(), list.end(), point.set) == list.end())
-        list.push_back(point.set);
+      if (same_motor(point, like) && known.insert(point.set).second) list.push_back(point.set);
     return list;
   }
 
   // Settings of the data for the free stator, which no preload or voltage changes; each with its frequency.
   std::vector<std::vector<ParameterValue>> frequencies(const MeasuredPoint& like) const {
     std::vector<std::vector<ParameterValue>> list;
+    std::set<std::vector<ParameterValue>> known;
     for (const MeasuredPoint& point : fit_.points()) {
       if (!std::holds_alternative<CircuitPart>(point.reading) || !same_motor(point, like)) continue;
       std::vector<ParameterValue> set = point.set;
@@ -214,7 +216,7 @@ class Planner {
       });
       if (!given && !fit_.sets(Parameter::frequency))
         set.emplace_back(Parameter::frequency, get(fit_.motor(), Parameter::frequency));
-      if (std::find(list.begin(), list.end(), set) == list.end()) list.push_back(std::move(set));
+      if (known.insert(set).second) list.push_back(std::move(set));
     }
     return list;
   }

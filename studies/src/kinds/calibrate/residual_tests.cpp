@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,22 +18,35 @@
 namespace twum::studies {
 namespace {
 
-using Points = std::vector<const CalibrateResult::Point*>;
+// A point that counts, and its number among these.
+struct Counted {
+  const CalibrateResult::Point* point;
+  std::size_t number;
+
+  const CalibrateResult::Point* operator->() const { return point; }
+  const CalibrateResult::Point& operator*() const { return *point; }
+};
+using Points = std::vector<Counted>;
+
+// Sorts points by what they have in common, the groups in the order of their first ones.
+template <typename KeyOf>
+std::vector<Points> grouped(const Points& points, KeyOf key_of) {
+  std::map<decltype(key_of(points.front())), std::size_t> places;
+  std::vector<Points> groups;
+  for (const Counted& point : points) {
+    const auto [known, fresh] = places.try_emplace(key_of(point), groups.size());
+    if (fresh) groups.emplace_back();
+    groups[known->second].push_back(point);
+  }
+  return groups;
+}
 
 // Points that count, by kind, in the order of the data.
 std::vector<Points> kinds_of(const CalibrateResult& result) {
-  std::vector<Points> kinds;
-  for (const CalibrateResult::Point& point : result.data) {
-    if (!point.counts) continue;
-    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const Points& kind) {
-      return kind.front()->quantity == point.quantity;
-    });
-    if (known == kinds.end())
-      kinds.push_back({&point});
-    else
-      known->push_back(&point);
-  }
-  return kinds;
+  Points points;
+  for (const CalibrateResult::Point& point : result.data)
+    if (point.counts) points.push_back({&point, points.size()});
+  return grouped(points, [](const Counted& point) { return point->quantity; });
 }
 
 // Bonferroni's inequality: how often chance puts one of so many p as low.
@@ -41,13 +55,11 @@ double of_many(double p, std::size_t count) {
 }
 
 // Neighbours have one table, and one setting of the bench but for what is varied.
-bool in_one_series(const CalibrateResult::Point& a, const CalibrateResult::Point& b,
-                   const std::string& varied) {
-  return table_of(a) == table_of(b) &&
-         std::equal(a.set.begin(), a.set.end(), b.set.begin(), b.set.end(),
-                    [&](const NamedValue& x, const NamedValue& y) {
-                      return x.name == y.name && (x.name == varied || x.value == y.value);
-                    });
+std::pair<std::string, std::map<std::string, double>> series_of(const Counted& point,
+                                                                const std::string& varied) {
+  std::map<std::string, double> set;
+  for (const NamedValue& one : point->set) set[one.name] = one.name == varied ? 0 : one.value;
+  return {table_of(*point), std::move(set)};
 }
 
 // Residuals and their rows of the points that count.
@@ -62,33 +74,15 @@ optim::Residuals counting(const optim::Residuals& all, const CalibrateResult& re
   return some;
 }
 
-// Number of a point among those that count.
-std::size_t number_of(const CalibrateResult::Point& point, const CalibrateResult& result) {
-  return static_cast<std::size_t>(std::count_if(
-      result.data.data(), &point, [](const CalibrateResult::Point& one) { return one.counts; }));
-}
-
 // The points of a kind in the order of what the bench varied, by their numbers.
-std::vector<std::vector<std::size_t>> series_of(const Points& kind, const NamedValue& over,
-                                                const CalibrateResult& result) {
-  std::vector<Points> series;
-  for (const auto* point : kind) {
-    if (std::isnan(place_on(*point, over))) continue;
-    const auto known = std::find_if(series.begin(), series.end(), [&](const Points& one) {
-      return in_one_series(*one.front(), *point, over.name);
-    });
-    if (known == series.end())
-      series.push_back({point});
-    else
-      known->push_back(point);
-  }
+std::vector<std::vector<std::size_t>> all_series(Points kind, const NamedValue& over) {
+  std::erase_if(kind, [&](const Counted& point) { return std::isnan(place_on(*point, over)); });
   std::vector<std::vector<std::size_t>> numbers;
-  for (Points& one : series) {
-    std::stable_sort(one.begin(), one.end(), [&](const auto* a, const auto* b) {
-      return place_on(*a, over) < place_on(*b, over);
-    });
+  for (Points& one :
+       grouped(kind, [&](const Counted& point) { return series_of(point, over.name); })) {
+    std::ranges::stable_sort(one, {}, [&](const Counted& point) { return place_on(*point, over); });
     numbers.emplace_back();
-    for (const auto* point : one) numbers.back().push_back(number_of(*point, result));
+    for (const Counted& point : one) numbers.back().push_back(point.number);
   }
   return numbers;
 }
@@ -99,7 +93,7 @@ void test_neighbours(CalibrateResult& result, const std::vector<Points>& kinds,
   for (const Points& kind : kinds) {
     const std::optional<NamedValue> over = axis_of(result.data, *kind.front());
     if (!over) continue;
-    const auto test = optim::neighbour_test(residuals, fit, series_of(kind, *over, result));
+    const auto test = optim::neighbour_test(residuals, fit, all_series(kind, *over));
     if (test.count == 0) continue;
     ++count;
     if (result.neighbours && result.neighbours->p <= test.p) continue;
@@ -111,17 +105,7 @@ void test_neighbours(CalibrateResult& result, const std::vector<Points>& kinds,
 
 // Those of one table that counts. Where columns have a scatter of their own, these are the columns.
 std::vector<Points> by_table(const Points& kind) {
-  std::vector<Points> columns;
-  for (const auto* point : kind) {
-    const auto known = std::find_if(columns.begin(), columns.end(), [&](const Points& column) {
-      return table_of(*column.front()) == table_of(*point);
-    });
-    if (known == columns.end())
-      columns.push_back({point});
-    else
-      known->push_back(point);
-  }
-  return columns;
+  return grouped(kind, [](const Counted& point) { return table_of(*point); });
 }
 
 // An instrument that was not set to zero shifts all that it reads. Where every reading was taken at the same place, they have
@@ -135,8 +119,8 @@ void test_offsets(CalibrateResult& result, const std::vector<Points>& kinds,
     for (const Points& column : by_table(kind)) {
       std::vector<std::size_t> rows;
       std::vector<double> slopes;
-      for (const auto* point : column) {
-        rows.push_back(number_of(*point, result));
+      for (const Counted& point : column) {
+        rows.push_back(point.number);
         slopes.push_back(std::sqrt(point->weight));
       }
       const auto test =
@@ -155,7 +139,7 @@ void test_offsets(CalibrateResult& result, const std::vector<Points>& kinds,
 
 double sum_of(const Points& points) {
   double sum = 0;
-  for (const auto* point : points) sum += std::pow(point->residual / point->deviation, 2);
+  for (const Counted& point : points) sum += std::pow(point->residual / point->deviation, 2);
   return sum;
 }
 

@@ -7,23 +7,18 @@
 #include <algorithm>
 
 namespace twum::cli {
-std::optional<std::size_t> column_of(const studies::ResultStore& store, const std::string& name) {
-  const std::vector<studies::StoredColumn>& columns = store.columns();
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].name == name) return i;
-  return {};
+StoredValues::StoredValues(const studies::ResultStore& store)
+    : columns_(store.columns()), values_(columns_.size()) {
+  for (std::vector<double>& column : values_) column.reserve(store.rows());
+  store.read([&](const studies::StoredRow& row) {
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i].push_back(row.values[i]);
+  });
 }
 
-std::vector<double> column_values(const studies::ResultStore& store, std::size_t column) {
-  std::vector<double> values;
-  store.read([&](const studies::StoredRow& row) { values.push_back(row.values[column]); });
-  return values;
-}
-
-std::vector<double> column_values(const studies::ResultStore& store,
-                                  const studies::StoredColumn& column) {
-  const auto place = column_of(store, column.name);
-  return place ? column_values(store, *place) : std::vector<double>{};
+const std::vector<double>& StoredValues::of(const studies::StoredColumn& column) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].name == column.name) return values_[i];
+  return none_;
 }
 
 Axis axis_of(const studies::StoredColumn& column, double pad) {

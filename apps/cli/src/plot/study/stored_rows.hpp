@@ -5,21 +5,26 @@
 
 #include <twum/io/result_store.hpp>
 
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace twum::cli {
 
-/// The place of a column; nothing if there is none of this name.
-std::optional<std::size_t> column_of(const studies::ResultStore& store, const std::string& name);
+/// The values of all rows by columns, in the order of the rows, SI; NaN where there is none. The store is read once, which takes
+/// longer than a picture of its numbers.
+class StoredValues {
+ public:
+  explicit StoredValues(const studies::ResultStore& store);
 
-/// Values of one column, of all rows in their order, SI; NaN where there is none.
-std::vector<double> column_values(const studies::ResultStore& store, std::size_t column);
+  const std::vector<studies::StoredColumn>& columns() const { return columns_; }
+  const std::vector<double>& of(std::size_t column) const { return values_[column]; }
+  /// Those of the column of this name; empty if there is none.
+  const std::vector<double>& of(const studies::StoredColumn& column) const;
 
-/// The same of the column of this name; empty if there is none.
-std::vector<double> column_values(const studies::ResultStore& store,
-                                  const studies::StoredColumn& column);
+ private:
+  const std::vector<studies::StoredColumn>& columns_;
+  std::vector<std::vector<double>> values_;
+  std::vector<double> none_{};
+};
 
 /// The axis of a column.
 /// @param pad  room beyond the values, share of their span

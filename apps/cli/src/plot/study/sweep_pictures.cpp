@@ -18,12 +18,13 @@ namespace {
 using studies::StoredColumn;
 
 // Of a sweep of one variable, every metric over it.
-Picture swept_lines(const FinishedStudy& study, const studies::SweepResult& answer) {
-  const std::vector<double> x = column_values(study.store, answer.variables[0]);
+Picture swept_lines(const FinishedStudy& study, const studies::SweepResult& answer,
+                    const StoredValues& values) {
+  const std::vector<double>& x = values.of(answer.variables[0]);
   Chart chart{
       study.title("metrics over " + studies::plain_name(answer.variables[0].name)), {}, true};
   for (const studies::SweepResult::Metric& metric : answer.metrics) {
-    const std::vector<double> y = column_values(study.store, metric.column);
+    const std::vector<double>& y = values.of(metric.column);
     std::map<double, double> sorted;
     for (std::size_t i = 0; i < x.size(); ++i) sorted[x[i]] = y[i];
     Series line{"", Draw::line, colour::kBlue, {}}, dots{"", Draw::dots, colour::kBlue, {}};
@@ -48,23 +49,23 @@ std::map<double, std::pair<double, double>> cells_of(const std::set<double>& val
 }
 
 // A grid over two variables, whole.
-bool is_map(const studies::SweepResult& answer, const std::vector<std::vector<double>>& x) {
-  if (answer.sampling != "grid" || x.size() != 2) return false;
-  const std::set<double> across(x[0].begin(), x[0].end()), up(x[1].begin(), x[1].end());
-  return across.size() > 1 && up.size() > 1 && across.size() * up.size() == x[0].size();
+bool is_map(const studies::SweepResult& answer, const StoredValues& values) {
+  if (answer.sampling != "grid" || answer.variables.size() != 2) return false;
+  const std::vector<double>&x = values.of(answer.variables[0]), &y = values.of(answer.variables[1]);
+  const std::set<double> across(x.begin(), x.end()), up(y.begin(), y.end());
+  return across.size() > 1 && up.size() > 1 && across.size() * up.size() == x.size();
 }
 
 Picture swept_map(const FinishedStudy& study, const studies::SweepResult& answer,
-                  const studies::SweepResult::Metric& metric,
-                  const std::vector<std::vector<double>>& x) {
-  const auto across = cells_of({x[0].begin(), x[0].end()}),
-             up = cells_of({x[1].begin(), x[1].end()});
-  const std::vector<double> values = column_values(study.store, metric.column);
+                  const studies::SweepResult::Metric& metric, const StoredValues& values) {
+  const std::vector<double>&x = values.of(answer.variables[0]), &y = values.of(answer.variables[1]);
+  const auto across = cells_of({x.begin(), x.end()}), up = cells_of({y.begin(), y.end()});
+  const std::vector<double>& z = values.of(metric.column);
   Series cells{"", Draw::cells, "", {}};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto& [left, right] = across.at(x[0][i]);
-    const auto& [low, high] = up.at(x[1][i]);
-    if (std::isfinite(values[i])) cells.rows.push_back({left, right, low, high, values[i]});
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const auto& [left, right] = across.at(x[i]);
+    const auto& [low, high] = up.at(y[i]);
+    if (std::isfinite(z[i])) cells.rows.push_back({left, right, low, high, z[i]});
   }
   Panel panel{axis_of(answer.variables[0], 0), axis_of(answer.variables[1], 0), {cells}};
   panel.colours = axis_of(metric.column, 0);
@@ -125,12 +126,12 @@ Panel scatter(const StoredColumn& across, const StoredColumn& up, const std::vec
 }
 
 // All quantities of the designs in parallel coordinates.
-Picture every_quantity(const FinishedStudy& study) {
+Picture every_quantity(const FinishedStudy& study, const StoredValues& values) {
   constexpr std::size_t kMostLines = 1500;  // more would be one grey block
   std::vector<ParallelAxis> axes;
-  for (std::size_t i = 0; i < study.store.columns().size(); ++i) {
-    const StoredColumn& column = study.store.columns()[i];
-    axes.push_back({studies::plain_name(column.name), column.unit, column_values(study.store, i)});
+  for (std::size_t i = 0; i < values.columns().size(); ++i) {
+    const StoredColumn& column = values.columns()[i];
+    axes.push_back({studies::plain_name(column.name), column.unit, values.of(i)});
   }
   return parallel_picture("parallel", study.title("every quantity at once"), axes,
                           shown_rows(axes.front().values.size(), kMostLines));
@@ -138,36 +139,32 @@ Picture every_quantity(const FinishedStudy& study) {
 
 // Of many variables, one metric over each of them.
 Picture swept_scatter(const FinishedStudy& study, const studies::SweepResult& answer,
-                      const studies::SweepResult::Metric& metric,
-                      const std::vector<std::vector<double>>& x) {
-  const std::vector<double> y = column_values(study.store, metric.column);
+                      const studies::SweepResult::Metric& metric, const StoredValues& values) {
   Chart chart{study.title(studies::plain_name(metric.column.name) + " of the designs"), {}};
-  for (std::size_t i = 0; i < x.size(); ++i)
-    chart.panels.push_back(scatter(answer.variables[i], metric.column, x[i], y));
+  for (const StoredColumn& variable : answer.variables)
+    chart.panels.push_back(
+        scatter(variable, metric.column, values.of(variable), values.of(metric.column)));
   return picture_of("designs-" + file_word(metric.column.name), chart);
 }
 
 }  // namespace
 
 std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::SweepResult& answer) {
+  const StoredValues values(study.store);
+  if (answer.variables.size() == 1) return {swept_lines(study, answer, values)};
   std::vector<Picture> pictures;
-  if (answer.variables.size() == 1) return {swept_lines(study, answer)};
-  std::vector<std::vector<double>> x;
-  for (const StoredColumn& variable : answer.variables)
-    x.push_back(column_values(study.store, variable));
-  const bool map = is_map(answer, x);
+  const bool map = is_map(answer, values);
   for (const studies::SweepResult::Metric& metric : answer.metrics) {
     if (metric.count == 0) continue;
-    pictures.push_back(map ? swept_map(study, answer, metric, x)
-                           : swept_scatter(study, answer, metric, x));
+    pictures.push_back(map ? swept_map(study, answer, metric, values)
+                           : swept_scatter(study, answer, metric, values));
   }
   if (answer.metrics.size() > 1) {
     const StoredColumn &a = answer.metrics[0].column, &b = answer.metrics[1].column;
-    pictures.push_back(picture_of("designs", {study.title("the designs"),
-                                              {scatter(a, b, column_values(study.store, a),
-                                                       column_values(study.store, b))}}));
+    pictures.push_back(picture_of(
+        "designs", {study.title("the designs"), {scatter(a, b, values.of(a), values.of(b))}}));
   }
-  pictures.push_back(every_quantity(study));
+  pictures.push_back(every_quantity(study, values));
   return pictures;
 }
 

@@ -4,6 +4,7 @@
 #include <twum/stator/geometry.hpp>
 #include <twum/stator/plate.hpp>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,28 @@ enum class Derivatives { none, all };
 /// Whether the modes beside the wave are wanted, which take four fifths of the time: without them mode_separation is NaN
 /// and `unwanted` empty.
 enum class OtherModes { none, found };
+
+/// A stator whose travelling wave was found. What else is asked of it is computed then: derivatives take as long as the wave
+/// itself, and the modes beside it, of n - 2 to n + 2, four times as long; these are kept. Immutable and thread-safe; copies
+/// share what was found. Arguments, exceptions and derivatives are those of stator_model().
+class SolvedStator {
+ public:
+  SolvedStator(const StatorGeometry& geometry, int wavelengths, double contact_radius,
+               PlateTheory theory = PlateTheory::mindlin, std::span<const double> offsets = {});
+
+  /// All numbers but those of the modes beside the wave: mode_separation is NaN and `unwanted` empty.
+  StatorModel wave(Derivatives derivatives) const;
+  /// Distance to the nearest unwanted mode (P4.7) [Hz].
+  Derived mode_separation(Derivatives derivatives) const;
+  /// Other modes of n - 2 to n + 2, nearest frequency first.
+  std::vector<StatorMode> unwanted() const;
+
+ private:
+  struct Modes;
+  StatorModel numbers(Derivatives derivatives) const;
+
+  std::shared_ptr<const Modes> modes_;
+};
 
 /// Modes of a stator and what follows from them.
 ///
