@@ -6,6 +6,7 @@
 #include <twum/core/heat.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor_design.hpp>
+#include <twum/core/parameters.hpp>
 
 #include <cmath>
 
@@ -63,6 +64,29 @@ inline MetricRequest metric_at_torque(Metric metric, double torque) {
 
 inline double part_off(double found, double right) {
   return std::fabs(found - right) / std::fabs(right);
+}
+
+/// True for parameters that say nothing of a motor without temperatures.
+inline bool of_heat(Parameter parameter) {
+  return info(parameter).file_entry.starts_with("thermal.") || parameter == Parameter::conductivity;
+}
+
+/// A motor that gives such a parameter.
+inline MotorDesign motor_that_gives(Parameter parameter) {
+  using P = Parameter;
+  MotorDesign design = warm_motor();
+  Thermal& t = *design.thermal;
+  design.layer.conductivity = 0.25;
+  t.stator.temperature_limit = t.rotor.temperature_limit = 400;
+  t.housing.temperature_limit = t.contact_temperature_limit = 400;
+  if (parameter == P::drift_modal_damping) design = with(design, P::modal_damping, 40);
+  if (parameter == P::drift_shear_viscosity) design = with(design, P::shear_viscosity, 60);
+  if (info(parameter).file_entry.starts_with("thermal.drift."))
+    return with(design, parameter, 1e-3);
+  if (!info(parameter).file_entry.starts_with("thermal.one_node.")) return design;
+  design.thermal = Thermal{};
+  design.thermal->one_node = OneNode{40, 0.5, 660};
+  return design;
 }
 
 }  // namespace twum::test

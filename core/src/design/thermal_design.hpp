@@ -40,7 +40,7 @@ inline constexpr std::array<DriftRow, 10> kDrifts{{
     {Parameter::drift_kinetic_friction, Parameter::kinetic_friction, ThermalNode::contact},
 }};
 
-/// The drift rows that the design gives, other than 0.
+/// True if the design gives a coefficient other than 0.
 bool drifts(const MotorDesign& design);
 
 }  // namespace twum
