@@ -89,7 +89,12 @@ class HeatMetrics {
   MetricDerivative of_time_constant(const MetricValue& value) const;
 
   /// What ends the torques up to which the motor runs for ever.
-  enum class Limiting : unsigned char { temperature, fold, load };
+  enum class Limiting : unsigned char {
+    temperature,
+    fold,  ///< of steady states
+    lost,  ///< the warm motor does not carry more
+    load   ///< the cold motor does not carry more
+  };
   struct Continuous {
     Known state;
     double torque;

@@ -19,6 +19,8 @@ using P = Parameter;
 
 // Of the torque at which a motor just finds no steady temperature any more. A passage beyond takes 1 / sqrt of it in time.
 constexpr double kEndOfTorque = 1e-9;
+// The gain is 1 at a fold and differs there by the root of kEndOfTorque; where the warm motor has no point any more it is less.
+constexpr double kGainAtFold = 0.99;
 
 double answer(const MetricValue& found) {
   if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
@@ -76,9 +78,10 @@ HeatMetrics::Continuous HeatMetrics::continuous(const MetricRequest& request) {
     }
   }
   if (std::isnan(too_hot))
-    return {good, from, top - from <= 2 * kEndOfTorque * top ? Limiting::load : Limiting::fold};
+    return {good, from, good.steady.gain > kGainAtFold ? Limiting::fold : Limiting::lost};
   const auto margin_at = [&](double torque) {
-    return margin(followed(load_with(request, torque), good.steady.state.x));
+    const Known at = followed(load_with(request, torque), good.steady.state.x);
+    return at.steady.ok() ? margin(at) : kNoValue;
   };
   const double torque =
       closed_in("the continuous torque", margin_at, {from, to, margin(good), too_hot}, 44)
@@ -97,6 +100,7 @@ MetricDerivative HeatMetrics::of_continuous(const MetricRequest& request, const 
     case Limiting::temperature: return of_limit(request, found, value, fixed);
     case Limiting::fold: return of_fold(request, found, value, fixed);
     case Limiting::load: break;
+    case Limiting::lost: return no_derivative(value);
   }
   if (request.metric != M::continuous_torque) return no_derivative(value);
   MetricDerivative result =
