@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/heat_motors.hpp"
 #include "support/plate_motors.hpp"
 #include "support/test_motors.hpp"
 
@@ -51,6 +52,7 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
     CAPTURE(row.name);
     // what shapes the track is in use where it has more than one slice
     const MotorDesign design = of_geometry(row.parameter) ? plate_motor()
+                               : of_heat(row.parameter)   ? motor_that_gives(row.parameter)
                                : of_driven_stator(row.parameter)
                                    ? unequal_motor()
                                    : with(ring(), P::radial_slices, 8);
@@ -133,6 +135,7 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
       CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);
     }
     const MotorDesign design = of_geometry(row.parameter)        ? plate_motor()
+                               : of_heat(row.parameter)          ? motor_that_gives(row.parameter)
                                : of_driven_stator(row.parameter) ? unequal_motor()
                                                                  : ring();
     CHECK(complaint(row.parameter, get(design, row.parameter)).empty());

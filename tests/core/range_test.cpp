@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/box_survey.hpp"
+#include "support/heat_motors.hpp"
 #include "support/plate_motors.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
@@ -60,7 +61,9 @@ TEST_CASE("small numbers beside zero keep the laws or have a status (T7.10, C8.1
           "[core][design][limit]") {
   for (const MotorDesign& design : layers()) {
     for (const ParameterInfo& row : parameter_table()) {
-      if (row.min != 0 || of_driven_stator(row.parameter) || of_geometry(row.parameter)) continue;
+      if (row.min != 0 || of_driven_stator(row.parameter) || of_geometry(row.parameter) ||
+          of_heat(row.parameter))
+        continue;
       for (const double value : {1e-299, 1e-100, 1e-30}) {
         if (!complaint(row.parameter, value).empty()) continue;
         if (row.parameter == P::static_friction) continue;  // below the kinetic one
@@ -85,7 +88,8 @@ MotorDesign with_track(MotorDesign design, P parameter, double value) {
 TEST_CASE("ends of ranges keep the laws or have a status (T7.10, C8.1)", "[core][design][limit]") {
   for (const MotorDesign& design : layers()) {
     for (const ParameterInfo& row : parameter_table()) {
-      if (of_driven_stator(row.parameter) || of_geometry(row.parameter)) continue;
+      if (of_driven_stator(row.parameter) || of_geometry(row.parameter) || of_heat(row.parameter))
+        continue;
       for (const double value : {row.min, row.max}) {
         if (row.parameter == P::static_friction && value < design.friction.kinetic) continue;
         for (const double share : {0.0, 0.3, 0.8, 1.0, 1.2}) {

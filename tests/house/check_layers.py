@@ -17,7 +17,7 @@ LIBRARIES = {
     "studies": ["core/base", "core/stator", "core", "optim", "studies/io", "studies/motors"],
 }
 FOLDERS = {
-    "core": ["design", "contact", "model", "point", "curve", "drive", "held", "metrics"],
+    "core": ["design", "contact", "model", "point", "curve", "drive", "held", "heat", "metrics"],
     "optim": ["sampling", "problem", "solvers", "certificate", "search", "fronts", "fit", "robust"],
     "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
     "studies/motors": ["materials", "metrics", "file", "tables"],

@@ -122,7 +122,9 @@ const Bad kBad[] = {
     {"3 m^999", "m", "'3 m^999': 'm^999' is not a unit; expected a length [m] such as 'x'"},
     {"3 m^", "m", "'3 m^': unknown unit 'm^'; expected a length [m] such as 'x'"},
     {"3 (m", "m", "'3 (m': unknown unit '(m'; expected a length [m] such as 'x'"},
-    {"20 degC", "K", "'20 degC': unknown unit 'degC'; expected a temperature [K] such as 'x'"},
+    {"20 degC", "K",
+     "'20 degC' is an absolute temperature; expected a difference of temperatures in K such as '40 "
+     "K'"},
 };
 
 }  // namespace
@@ -156,7 +158,7 @@ TEST_CASE("every unit in the tables of parameters and metrics has a name and rea
           "[studies][units]") {
   for (const auto& row : twum::parameter_table()) {
     CAPTURE(row.name);
-    CHECK_NOTHROW(parse_quantity(row.example, Expected{row.unit, ""}));
+    CHECK_NOTHROW(parse_quantity(row.example, Expected{row.unit, "", row.absolute}));
     CHECK((row.unit == "1" || !dimension_name(row.unit).empty()));
   }
   for (const auto& row : twum::metric_table()) {

@@ -24,6 +24,7 @@
 #include <twum/core/batch.hpp>
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/core/frequency_response.hpp>
+#include <twum/core/heat.hpp>
 #include <twum/core/held_point.hpp>
 #include <twum/core/metric_value.hpp>
 #include <twum/core/metrics.hpp>
@@ -33,4 +34,5 @@
 #include <twum/core/operating_point.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/core/plate.hpp>
+#include <twum/core/steady_heat.hpp>
 #include <twum/core/zone.hpp>

@@ -34,6 +34,12 @@ template <typename S>
 S density_of(const S& inertia, const S& thickness) {
   return 3.0 * inertia / (thickness * thickness);
 }
+/// Conductance of the whole lining for heat.
+template <typename S>
+S lining_conductance_of(const S& conductivity, const S& radius, const S& width,
+                        const S& thickness) {  // (H1.6)
+  return 2 * std::numbers::pi * conductivity * radius * width / thickness;
+}
 /// Damping of a mode from its quality factor, and the inverse, which has the same form.
 template <typename S>
 S modal_damping_of(const S& quality_factor, const S& resonance, const S& modal_mass) {  // (D2.2)
@@ -89,6 +95,11 @@ ParameterArray<S> with_alternatives(const MotorDesign& given, ParameterArray<S> 
   } else {
     at(P::inertia) = inertia_of(at(P::density), h);
   }
+  if (!given.thermal) return p;
+  if (!given.thermal->reference) at(P::reference_temperature) = at(P::ambient_temperature);
+  if (!given.thermal->conductances.lining && given.layer.conductivity && !given.thermal->one_node)
+    at(P::conductance_lining) =
+        lining_conductance_of(at(P::conductivity), at(P::contact_radius), at(P::contact_width), h);
   return p;
 }
 
@@ -109,7 +120,11 @@ constexpr bool leads_alternatives(Parameter parameter) {
     case P::loss_factor:
     case P::shear_modulus:
     case P::shear_viscosity:
-    case P::inertia: return true;
+    case P::inertia:
+    case P::contact_radius:
+    case P::contact_width:
+    case P::conductivity:
+    case P::ambient_temperature: return true;
     default: return false;
   }
 }

@@ -10,6 +10,14 @@
 #include <optional>
 
 namespace twum {
+namespace {
+
+bool drifts_with_plate(Parameter parameter) {
+  return parameter == Parameter::resonance_frequency || parameter == Parameter::force_factor ||
+         parameter == Parameter::blocked_capacitance;
+}
+
+}  // namespace
 
 std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
                                              bool fixed_static_friction) {
@@ -24,7 +32,8 @@ std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
   slopes.reserve(2 * kParameterCount);  // enough without a geometry
   for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
     const auto parameter = static_cast<Parameter>(moved);
-    if (!in_use(design, parameter)) continue;
+    const bool of_warm_plate = design.stator.plate_drift.moves && drifts_with_plate(parameter);
+    if (!in_use(design, parameter) && !of_warm_plate) continue;
     if (!plate && !leads_alternatives(parameter)) {
       slopes.push_back({moved, moved, 1});
       continue;
@@ -34,6 +43,7 @@ std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
     for (std::size_t i = 0; plate && i < kParameterCount; ++i)
       if (const auto number = plate_number_of(static_cast<Parameter>(i)))
         values[i].d[0] = (*plate)[index_of(*number)][moved];
+    if (of_warm_plate) values[moved].d[0] = 1;
     values = with_alternatives(design, values);
     for (std::size_t i = 0; i < kParameterCount; ++i)
       if (values[i].d[0] != 0) slopes.push_back({i, moved, values[i].d[0]});

@@ -8,6 +8,7 @@
 #include "design/motor_rows.hpp"
 #include "design/plate_numbers.hpp"
 #include "design/radial_shape.hpp"
+#include "design/thermal_rows.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
@@ -24,9 +25,10 @@ using P = Parameter;
 
 // Every row, those of the stator's geometry last.
 constexpr auto kRows = [] {
-  std::array<ParameterRow, kMotorRows.size() + kGeometryRows.size()> rows{};
-  std::copy(kMotorRows.begin(), kMotorRows.end(), rows.begin());
-  std::copy(kGeometryRows.begin(), kGeometryRows.end(), rows.begin() + kMotorRows.size());
+  std::array<ParameterRow, kMotorRows.size() + kThermalRows.size() + kGeometryRows.size()> rows{};
+  auto next = std::copy(kMotorRows.begin(), kMotorRows.end(), rows.begin());
+  next = std::copy(kThermalRows.begin(), kThermalRows.end(), next);
+  std::copy(kGeometryRows.begin(), kGeometryRows.end(), next);
   return rows;
 }();
 static_assert(kRows.size() == kParameterCount, "a parameter has no row");
@@ -82,6 +84,7 @@ std::string contradiction(const MotorDesign& design) {
   if (design.friction.threshold < design.friction.kinetic)
     return "static_friction must be at least kinetic_friction = " +
            number(design.friction.kinetic) + ", but is " + number(design.friction.threshold);
+  if (std::string wrong = thermal_complaint(design); !wrong.empty()) return wrong;
   if (stator.geometry) {
     if (!stator.voltage || has_modal_data(design)) return {};
     return "voltage needs quality_factor (or modal_damping, more than 0); give it, or amplitude in "

@@ -29,6 +29,17 @@ stator::Derived lever_of(const MotorDesign& design, const StatorModel& plate) {
                  : plate.neutral_plane_distance * plate.tangential_share;
 }
 
+// A warm stator differs by a factor in some of its numbers (H3.1).
+stator::Derived drifted(const MotorDesign& design, stator::Derived number, std::size_t which) {
+  const PlateDrift& drift = design.stator.plate_drift;
+  switch (static_cast<N>(which)) {
+    case N::resonance_frequency: return number * drift.resonance_frequency;
+    case N::force_factor: return number * drift.force_factor;
+    case N::blocked_capacitance: return number * drift.blocked_capacitance;
+    default: return number;
+  }
+}
+
 std::array<stator::Derived, kPlateNumbers> plate_values(const MotorDesign& design,
                                                         const StatorModel& plate) {
   std::array<stator::Derived, kPlateNumbers> numbers{
@@ -36,6 +47,7 @@ std::array<stator::Derived, kPlateNumbers> plate_values(const MotorDesign& desig
       plate.blocked_capacitance, plate.mode_separation, plate.ceramic_stress};
   std::copy_n(plate.shape_values.begin(), kShapePoints.size(),
               numbers.begin() + index_of(N::shape));
+  for (std::size_t i = 0; i < kPlateNumbers; ++i) numbers[i] = drifted(design, numbers[i], i);
   return numbers;
 }
 

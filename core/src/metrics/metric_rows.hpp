@@ -38,6 +38,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::drive_frequency_at: return m.omega / (2 * std::numbers::pi);
     case M::max_pressure_at: return largest_pressure(m);
     case M::layer_aspect_at: return layer_aspect(m);
+    case M::stator_loss_at: return stator_loss(m);
     // of the stator's modes, see wave_metric()
     case M::phase_lag_at:
     case M::electrical_power_at:
@@ -49,6 +50,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::sensor_voltage_at:
     case M::sensor_phase_at:
     case M::drive_voltage_at:
+    case M::dielectric_loss_at:
     case M::loaded_resonance:
     // of a drive that follows, see HeldMetrics
     case M::held_speed_limit_at:
@@ -57,6 +59,17 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::torque_reserve_at:
     case M::drive_reserve_at:
     case M::voltage_reserve_at:
+    // of heat, see HeatMetrics
+    case M::stator_temperature_at:
+    case M::rotor_temperature_at:
+    case M::housing_temperature_at:
+    case M::contact_temperature_at:
+    case M::temperature_margin_at:
+    case M::thermal_gain_at:
+    case M::thermal_time_constant:
+    case M::continuous_torque:
+    case M::continuous_torque_at:
+    case M::start_temperature:
     // numbers of the motor, see metric_row()
     case M::ceramic_stress_at:
     case M::max_overall_efficiency:
@@ -101,8 +114,8 @@ constexpr bool is_wave_metric(Metric metric) {
   return metric == M::phase_lag_at || metric == M::electrical_power_at ||
          metric == M::overall_efficiency_at || metric == M::phase_current_at ||
          metric == M::power_factor_at || metric == M::loaded_resonance ||
-         metric == M::drive_voltage_at || metric == M::backward_ratio_at ||
-         metric == M::squeal_rate_at || needs_sensor(metric);
+         metric == M::drive_voltage_at || metric == M::dielectric_loss_at ||
+         metric == M::backward_ratio_at || metric == M::squeal_rate_at || needs_sensor(metric);
 }
 
 /// True if the metric is made of the backward wave (D6.5, D6.7). Equal phases and modes drive none.
@@ -161,6 +174,7 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
   if (metric == M::drive_voltage_at) return t.voltage;
   if (metric == M::electrical_power_at) return t.power;
+  if (metric == M::dielectric_loss_at) return t.dielectric_loss;
   if (metric == M::phase_current_at) return t.current;
   if (metric == M::power_factor_at) return t.power_factor;
   return value_of(p.output_power) > 0 ? S(p.output_power / t.power) : S(0.0);  // (D4.3)
@@ -251,13 +265,25 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::drive_voltage_at:
     case M::max_pressure_at:
     case M::layer_aspect_at:
-    case M::ceramic_stress_at: break;
+    case M::ceramic_stress_at:
+    case M::stator_loss_at:
+    case M::dielectric_loss_at: break;
     case M::held_speed_limit_at:
     case M::held_torque_limit_at:
     case M::pull_out_margin_at:
     case M::torque_reserve_at:
     case M::drive_reserve_at:
     case M::voltage_reserve_at: throw SearchFailure{MetricStatus::undefined};  // see HeldMetrics
+    case M::stator_temperature_at:
+    case M::rotor_temperature_at:
+    case M::housing_temperature_at:
+    case M::contact_temperature_at:
+    case M::temperature_margin_at:
+    case M::thermal_gain_at:
+    case M::thermal_time_constant:
+    case M::continuous_torque:
+    case M::continuous_torque_at:
+    case M::start_temperature: throw SearchFailure{MetricStatus::undefined};  // see HeatMetrics
   }
   const typename Answers::Number speed =
       request.argument == Argument::torque

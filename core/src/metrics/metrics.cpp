@@ -3,6 +3,7 @@
 
 #include "design/held_traps.hpp"
 #include "metrics/differentiator.hpp"
+#include "metrics/heat_metrics.hpp"
 #include "metrics/held_metrics.hpp"
 #include "metrics/motor_parts.hpp"
 #include "point/slice_count.hpp"
@@ -54,11 +55,14 @@ class Parts {
   explicit Parts(const Motor& motor, More... more)
       : motor_(motor),
         held_(motor.design()),
+        heat_(motor.design()),
         make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }) {}
 
-  template <typename Ask, typename AskHeld>
-  Answer answer(const MetricRequest& request, Ask ask, AskHeld ask_held) {
-    if (is_held(request)) return ask_held(held_);
+  // @param ask  by each of the parts
+  template <typename Ask>
+  Answer answer(const MetricRequest& request, Ask ask) {
+    if (is_heat(request)) return ask(heat_);
+    if (is_held(request)) return ask(held_);
     if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
       if (!still_) still_.emplace(without_drive(motor_.design()));
       if (!of_still_) make_(*still_, of_still_);
@@ -71,6 +75,7 @@ class Parts {
  private:
   const Motor& motor_;
   HeldMetrics held_;
+  HeatMetrics heat_;
   std::function<void(const Motor&, std::optional<Answers>&)> make_;
   std::optional<Motor> still_;
   std::optional<Answers> of_motor_, of_still_;
@@ -84,9 +89,7 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
   std::vector<MetricValue> values;
   values.reserve(requests.size());
   for (const MetricRequest& request : requests)
-    values.push_back(parts.answer(
-        request, [&](Evaluator& to) { return to.evaluate(request); },
-        [&](HeldMetrics& to) { return to.evaluate(request); }));
+    values.push_back(parts.answer(request, [&](auto& to) { return to.evaluate(request); }));
   return values;
 }
 
@@ -113,9 +116,12 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
   for (const MetricRequest& request : requests)
-    derivatives.push_back(parts.answer(
-        request, [&](Differentiator& to) { return to.differentiate(request); },
-        [&](HeldMetrics& to) { return to.differentiate(request, fixed_static_friction); }));
+    derivatives.push_back(parts.answer(request, [&](auto& to) {
+      if constexpr (requires { to.differentiate(request); })
+        return to.differentiate(request);
+      else
+        return to.differentiate(request, fixed_static_friction);
+    }));
   return derivatives;
 }
 

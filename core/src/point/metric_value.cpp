@@ -24,6 +24,10 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::voltage_too_low: return "voltage-too-low";
     case MetricStatus::amplitude_too_low: return "amplitude-too-low";
     case MetricStatus::outside_frequency_range: return "outside-frequency-range";
+    case MetricStatus::no_steady_temperature: return "no-steady-temperature";
+    case MetricStatus::thermally_unstable: return "thermally-unstable";
+    case MetricStatus::temperature_out_of_range: return "temperature-out-of-range";
+    case MetricStatus::too_hot_at_no_load: return "too-hot-at-no-load";
   }
   return "unresolved";
 }

@@ -74,6 +74,13 @@ const YamlEntry* entry_of(const YamlNode& variables, Parameter parameter) {
   return found == variables.entries.end() ? nullptr : &*found;
 }
 
+constexpr const char* kThermal = "the ways of its heat; give 'thermal' in the motor file";
+
+bool has_temperature_limit(const Thermal& thermal) {
+  return thermal.stator.temperature_limit || thermal.rotor.temperature_limit ||
+         thermal.housing.temperature_limit || thermal.contact_temperature_limit;
+}
+
 // What a motor has to give so that a metric has a meaning; empty if it gives it.
 std::string missing_for(const MotorDesign& motor, Metric metric) {
   const MetricInfo& row = info(metric);
@@ -83,6 +90,11 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
     return "modal data; give resonance_frequency, modal_mass, force_factor and quality_factor, or "
            "a "
            "geometry, under 'stator' in the motor file";
+  if (row.needs_thermal && !motor.thermal) return kThermal;
+  const bool limits = metric == Metric::temperature_margin_at;
+  if (limits && !has_temperature_limit(*motor.thermal))
+    return "a limit of temperature; give 'limit' under stator, rotor, housing or contact of "
+           "'thermal' in the motor file";
   const bool signal = metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
   if (signal && !motor.stator.sensor)
     return "a sensor; give 'sensor' under 'stator' in the motor file";
@@ -129,6 +141,10 @@ class DefinedCheck {
   }
 
   void look_at(const YamlNode& node, const std::string& path) {
+    if (const std::size_t warm = node.scalar.find("warm(");
+        warm != std::string::npos && !motor_.thermal)
+      diagnostics_.add(diagnostics_.source().mark_within(node.mark, node.scalar, warm), path,
+                       "warm() has no value for this motor", std::string("it needs ") + kThermal);
     for_each_metric(node.scalar, [&](Metric metric, std::size_t at) {
       const std::string missing = missing_for(motor_, metric);
       if (missing.empty()) return;

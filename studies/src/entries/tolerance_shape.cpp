@@ -26,6 +26,7 @@ Schema absolute_spread(const ParameterInfo& row) {
   schema.min = 0;
   schema.min_excluded = true;
   schema.whole = false;
+  schema.absolute = false;  // a difference
   return schema;
 }
 

@@ -17,11 +17,17 @@ bool beyond_drive(const MetricRequest& request, MetricStatus status) {
   }
 }
 
+// Temperatures, and metrics of the warm motor, have no value where the cold motor does not carry the load.
+bool has_value_nearby(const MetricRequest& request) {
+  return !request.warm_at && !info(request.metric).needs_thermal;
+}
+
 std::vector<MetricDerivative> with_gradients(const Motor& motor,
                                              const ExpressionEvaluator& expressions, bool fixed) {
   const auto requests = expressions.requests();
   std::vector<MetricDerivative> answers = differentiate(motor, requests, fixed);
   for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (!has_value_nearby(requests[i])) continue;
     if (answers[i].value.status == MetricStatus::unreachable)
       answers[i] = differentiate_at_share(motor, requests[i].metric, kReachable, fixed);
     if (beyond_drive(requests[i], answers[i].value.status))
@@ -35,6 +41,7 @@ std::vector<MetricDerivative> without_gradients(const Motor& motor,
   const auto requests = expressions.requests();
   std::vector<MetricValue> answers = evaluate(motor, requests);
   for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (!has_value_nearby(requests[i])) continue;
     if (answers[i].status == MetricStatus::unreachable)
       answers[i] = evaluate_at_share(motor, requests[i].metric, kReachable);
     if (beyond_drive(requests[i], answers[i].status))

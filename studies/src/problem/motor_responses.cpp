@@ -58,6 +58,9 @@ bool has_values_everywhere(Metric metric) {
     case Metric::torque_reserve_at:
     case Metric::drive_reserve_at:
     case Metric::voltage_reserve_at:
+    case Metric::thermal_time_constant:
+    case Metric::continuous_torque_at:
+    case Metric::start_temperature:
     case Metric::holding_torque:
     case Metric::start_voltage:
     case Metric::hold_voltage:
@@ -105,8 +108,8 @@ MetricRequest reserve_request(const MetricRequest& request) {
 // As the user typed it, where the expression is one metric.
 std::string argument_text(const MetricRequest& reserve, const MetricExpression& metric) {
   const std::size_t open = metric.text.find('('), close = metric.text.rfind(')');
-  if (metric.request() && open != std::string::npos)
-    return metric.text.substr(open + 1, close - open - 1);
+  const bool typed = metric.request() && !metric.request()->warm_at;
+  if (typed && open != std::string::npos) return metric.text.substr(open + 1, close - open - 1);
   return number_text(reserve.at) + (reserve.argument == Argument::torque ? " N.m" : " rad/s");
 }
 
@@ -140,6 +143,14 @@ void add_limits_of(const MetricRequest& request, const MetricExpression& metric,
   limits.push_back(reserve_limit(Metric::torque_reserve_at, request, kLeastReserve));
   limits.push_back(
       reserve_limit(Metric::drive_reserve_at, request, by_frequency ? kLeastReserve : 0));
+}
+
+// The point at whose temperatures a metric of the warm motor is taken.
+std::optional<MetricRequest> load_of_warm(const Term& term) {
+  const auto* request = std::get_if<MetricRequest>(&term);
+  if (request == nullptr || !request->warm_at) return {};
+  const LoadPoint& load = *request->warm_at;
+  return MetricRequest{Metric::amplitude_at, load.argument, load.at, load.torque, {}};
 }
 
 std::string reason(const MetricExpression& metric, MetricStatus status) {
@@ -208,6 +219,9 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
       if (const auto* request = std::get_if<MetricRequest>(&term);
           request != nullptr && ends_at_a_limit(*request))
         add(*request, metric);
+  for (const MetricExpression& metric : asked(problem))
+    for (const Term& term : metric.terms)
+      if (const auto load = load_of_warm(term); load && ends_at_a_limit(*load)) add(*load, metric);
   for (ImpliedLimit& one : fixed_drive_limits(problem)) limits.push_back(std::move(one));
   if (orders_friction(problem))
     limits.push_back({{"static_friction >= kinetic_friction", parse_metric("static_friction"), 0}});

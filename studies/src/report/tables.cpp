@@ -74,7 +74,7 @@ const char* argument_word(Argument argument) {
 // The example of the table in SI; 0 for a word such as `auto`.
 double typical(const ParameterInfo& row) {
   try {
-    return parse_quantity(row.example, {row.unit, row.example});
+    return parse_quantity(row.example, {row.unit, row.example, row.absolute});
   } catch (const ValueError&) {
     return 0;
   }
@@ -133,7 +133,8 @@ Json metrics_json() {
          {"argument", argument_word(row.argument)},
          {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
          {"modes", row.needs_modes},
-         {"geometry", row.needs_geometry}});
+         {"geometry", row.needs_geometry},
+         {"thermal", row.needs_thermal}});
   return json;
 }
 

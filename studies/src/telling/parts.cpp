@@ -99,8 +99,29 @@ std::string read_statistic(const StatisticRequest& statistic, Writing writing) {
   return "yield";
 }
 
+std::string read_request(const MetricRequest& request, const std::string& metric, Writing writing);
+
 // "torque at 80 rpm" of a metric at a point, whose unit is as typed in the file.
+std::string read_load(const LoadPoint& load, Writing writing) {
+  const auto value = [&](double number, const char* unit) {
+    return written_value(number, unit, 4, writing);
+  };
+  if (load.argument == Argument::torque) return value(load.at, "N.m");
+  if (load.argument == Argument::speed) return value(load.at, "rad/s");
+  return value(load.torque, "N.m") + ", " + value(load.at, "rad/s");
+}
+
+// "speed at 0.5 N.m, warm" at the temperatures of the metric's own point, or "warm at" those of another one.
+std::string read_warm(const MetricRequest& request, const std::string& metric, Writing writing) {
+  MetricRequest plain = request;
+  plain.warm_at.reset();
+  const LoadPoint own{request.argument, request.at, request.torque};
+  return read_request(plain, metric, writing) + ", warm" +
+         (*request.warm_at == own ? "" : " at " + read_load(*request.warm_at, writing));
+}
+
 std::string read_request(const MetricRequest& request, const std::string& metric, Writing writing) {
+  if (request.warm_at) return read_warm(request, metric, writing);
   const std::string name = plain_name(metric);
   const auto at = [&](double value, const char* unit) {
     return " " + written_value(value, unit, 4, writing);

@@ -63,7 +63,20 @@ enum class Metric : unsigned char {
   pull_out_margin_at,
   torque_reserve_at,
   drive_reserve_at,
-  voltage_reserve_at
+  voltage_reserve_at,
+  // of heat
+  stator_loss_at,
+  dielectric_loss_at,
+  stator_temperature_at,
+  rotor_temperature_at,
+  housing_temperature_at,
+  contact_temperature_at,
+  temperature_margin_at,
+  thermal_gain_at,
+  thermal_time_constant,
+  continuous_torque,
+  continuous_torque_at,
+  start_temperature
 };
 
 /// Argument that a metric takes.
@@ -95,11 +108,15 @@ enum class MetricStatus : unsigned char {
   unstable_amplitude,  ///< needs a wave that is not stable
   /// the model of the backward wave does not cover stick in a layer with damping or inertia, or with mu_0 > mu
   backward_wave_unknown,
-  does_not_pull_out,       ///< the running wave exists down to rest
-  torque_out_of_reach,     ///< no amplitude carries the held torque
-  voltage_too_low,         ///< the drive holds the torque at no voltage up to its own
-  amplitude_too_low,       ///< the held torque needs more than the motor's amplitude
-  outside_frequency_range  ///< the drive does not reach the frequency that holds the torque
+  does_not_pull_out,        ///< the running wave exists down to rest
+  torque_out_of_reach,      ///< no amplitude carries the held torque
+  voltage_too_low,          ///< the drive holds the torque at no voltage up to its own
+  amplitude_too_low,        ///< the held torque needs more than the motor's amplitude
+  outside_frequency_range,  ///< the drive does not reach the frequency that holds the torque
+  no_steady_temperature,  ///< as the motor warms it loses the point, and finds no steady temperature
+  thermally_unstable,     ///< the temperatures of the motor do not settle
+  temperature_out_of_range,  ///< so far from the reference that the drift of a parameter means nothing
+  too_hot_at_no_load         ///< a limit of temperature is broken without a load already
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.

@@ -14,8 +14,7 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount =
-    static_cast<std::size_t>(Metric::voltage_reserve_at) + 1;
+inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::start_temperature) + 1;
 
 /// One row of the metric table.
 struct MetricInfo {
@@ -26,6 +25,8 @@ struct MetricInfo {
   std::string_view text;       ///< what it is, in one line
   bool needs_modes{false};     ///< has a value only where the design has modal data of the stator
   bool needs_geometry{false};  ///< has a value only where the stator is given by its geometry
+  bool needs_thermal{false};   ///< has a value only where the design has a thermal block
+  bool absolute{false};        ///< an absolute temperature, which may be compared with degC
 };
 
 /// The table, one row for each Metric, in its order; static lifetime.
@@ -37,6 +38,16 @@ const MetricInfo& info(Metric metric);
 /// The metric with a name such as "torque_at", if there is one.
 std::optional<Metric> find_metric(std::string_view name);
 
+/// A speed, a torque, or a torque that the drive holds at a speed; as the members of MetricRequest.
+struct LoadPoint {
+  Argument argument{Argument::torque};  ///< what `at` is; never none
+  double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
+  double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
+
+  /// True if both are the same.
+  bool operator==(const LoadPoint&) const = default;
+};
+
 /// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
 /// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed. With Argument::both the
 /// drive follows (held_point()).
@@ -45,6 +56,8 @@ struct MetricRequest {
   Argument argument{Argument::none};    ///< what `at` is
   double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
   double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
+  /// Asks for the metric of the motor at the steady temperatures of this point; without it at the reference temperature.
+  std::optional<LoadPoint> warm_at{};
 
   /// True if both ask the same.
   bool operator==(const MetricRequest&) const = default;

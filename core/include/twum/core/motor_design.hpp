@@ -71,6 +71,16 @@ struct SolvedPlate {
   bool operator==(const SolvedPlate&) const { return true; }
 };
 
+/// Factors by which a stator that is given by its geometry differs from the plate at the reference temperature.
+struct PlateDrift {
+  double resonance_frequency{1};  ///< of f_r
+  double force_factor{1};         ///< of Theta
+  double blocked_capacitance{1};  ///< of C_0
+  bool moves{false};  ///< the three numbers have derivatives of their own, as parameters in use
+  /// True if all members are equal.
+  bool operator==(const PlateDrift&) const = default;
+};
+
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
 ///
 /// The amplitude is given, or follows from the voltage and the load (theory of the driven stator). A voltage needs
@@ -109,7 +119,8 @@ struct Stator {
   /// blocked_capacitance, neutral_plane_distance and radial_shape, and these members are ignored (theory of the
   /// plate, section 8).
   std::optional<stator::StatorGeometry> geometry{};
-  SolvedPlate plate{};  ///< of the geometry; kept by keep_plate(), with() and Motor
+  SolvedPlate plate{};       ///< of the geometry; kept by keep_plate(), with() and Motor
+  PlateDrift plate_drift{};  ///< of a warm stator; see at_temperatures()
   /// True if all members are equal.
   bool operator==(const Stator&) const = default;
 };
@@ -127,6 +138,7 @@ struct ContactLayer {
   std::optional<double> given_shear_modulus{};    ///< G [Pa]; otherwise E / (2 (1 + nu))
   std::optional<double> given_shear_viscosity{};  ///< gamma [Pa s]; otherwise loss_factor G / omega
   std::optional<double> given_inertia{};          ///< m [Pa s^2]; otherwise rho h^2 / 3
+  std::optional<double> conductivity{};           ///< lambda_l of heat [W/(m K)]
   /// True if all members are equal.
   bool operator==(const ContactLayer&) const = default;
 };
@@ -150,17 +162,81 @@ struct Rotor {
   bool operator==(const Rotor&) const = default;
 };
 
+/// What a body of the motor has for its warm-up.
+struct ThermalBody {
+  std::optional<double> heat_capacity{};      ///< C [J/K]
+  std::optional<double> temperature_limit{};  ///< highest temperature that it may have [K]
+  /// True if all members are equal.
+  bool operator==(const ThermalBody&) const = default;
+};
+
+/// How heat flows between stator, rotor, housing, sliding contact and ambient [W/K]. A path that is not given is none.
+struct ThermalConductances {
+  std::optional<double> stator_contact{};  ///< G_sc, through the teeth
+  std::optional<double> lining{};  ///< G_l, contact to rotor; else from the layer's conductivity
+  std::optional<double> stator_housing{};   ///< G_sh
+  std::optional<double> rotor_housing{};    ///< G_rh
+  std::optional<double> housing_ambient{};  ///< G_ha
+  std::optional<double> stator_ambient{};   ///< G_sa
+  std::optional<double> rotor_ambient{};    ///< G_ra
+  /// True if all members are equal.
+  bool operator==(const ThermalConductances&) const = default;
+};
+
+/// Relative change of a parameter per kelvin (H3.1) [1/K]; 0 where it is not given. Each belongs to the parameter that the design
+/// is stated through: modal_damping in place of quality_factor, shear_viscosity in place of loss_factor.
+struct ThermalDrift {
+  /// At the temperature of the stator.
+  /// @{
+  std::optional<double> resonance_frequency{}, quality_factor{}, modal_damping{}, force_factor{},
+      blocked_capacitance{}, loss_tangent{};
+  /// @}
+  /// At the mean temperature of the lining. The shear modulus keeps its ratio to Young's modulus.
+  /// @{
+  std::optional<double> youngs_modulus{}, loss_factor{}, shear_viscosity{};
+  /// @}
+  std::optional<double> kinetic_friction{};  ///< at that of the contact; the static one with it
+  /// True if all members are equal.
+  bool operator==(const ThermalDrift&) const = default;
+};
+
+/// One temperature for the whole motor, from a data sheet.
+struct OneNode {
+  double rise{0};           ///< above ambient, steady, at the torque [K]
+  double torque{0};         ///< load torque [N m]
+  double time_constant{0};  ///< of the warm-up [s]
+  /// True if all members are equal.
+  bool operator==(const OneNode&) const = default;
+};
+
+/// What heats and cools the motor, and how its parameters follow (theory of heat). Either three masses with conductances, or one
+/// node.
+struct Thermal {
+  double ambient{293.15};             ///< T_a [K]
+  std::optional<double> reference{};  ///< T_ref, at which the design holds [K]; else the ambient
+  ThermalBody stator{};               ///< metal and ceramic
+  ThermalBody rotor{};                ///< without the lining
+  ThermalBody housing{};              ///< and what it is mounted on
+  std::optional<double> contact_temperature_limit{};  ///< of the lining's face [K]
+  ThermalConductances conductances{};                 ///< of the three masses
+  ThermalDrift drift{};                               ///< of the design's parameters
+  std::optional<OneNode> one_node{};                  ///< in place of masses and conductances
+  /// True if all members are equal.
+  bool operator==(const Thermal&) const = default;
+};
+
 /// One motor: everything the contact model needs, in SI units. A plain value.
 ///
 /// The defaults are a 60 mm ring motor with one slice: the one of `examples/motors/ring-60.yaml`, but with all of the
 /// contact at the contact radius and without modal damping. The file has `radial_slices: auto`, by which its peak power
 /// differs by 6 %.
 struct MotorDesign {
-  Stator stator{};       ///< the vibrating ring
-  ContactLayer layer{};  ///< between stator and rotor
-  Friction friction{};   ///< of the contact
-  double preload{160};   ///< F_N, total axial force [N]
-  Rotor rotor{};         ///< pressed on the stator
+  Stator stator{};                   ///< the vibrating ring
+  ContactLayer layer{};              ///< between stator and rotor
+  Friction friction{};               ///< of the contact
+  double preload{160};               ///< F_N, total axial force [N]
+  Rotor rotor{};                     ///< pressed on the stator
+  std::optional<Thermal> thermal{};  ///< without it the motor has no temperatures
   /// True if all members are equal.
   bool operator==(const MotorDesign&) const = default;
 };

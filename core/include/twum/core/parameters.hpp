@@ -55,6 +55,37 @@ enum class Parameter : unsigned char {
   rotor_taper,
   rotor_mass,
   preload,
+  // of heat
+  conductivity,
+  ambient_temperature,
+  reference_temperature,
+  stator_heat_capacity,
+  stator_temperature_limit,
+  rotor_heat_capacity,
+  rotor_temperature_limit,
+  housing_heat_capacity,
+  housing_temperature_limit,
+  contact_temperature_limit,
+  conductance_stator_contact,
+  conductance_lining,
+  conductance_stator_housing,
+  conductance_rotor_housing,
+  conductance_housing_ambient,
+  conductance_stator_ambient,
+  conductance_rotor_ambient,
+  drift_resonance_frequency,
+  drift_quality_factor,
+  drift_modal_damping,
+  drift_force_factor,
+  drift_blocked_capacitance,
+  drift_loss_tangent,
+  drift_youngs_modulus,
+  drift_loss_factor,
+  drift_shear_viscosity,
+  drift_kinetic_friction,
+  one_node_rise,
+  one_node_torque,
+  one_node_time_constant,
   // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
   substrate_inner_radius,
   substrate_outer_radius,
@@ -116,6 +147,7 @@ struct ParameterInfo {
   /// what holds where a motor file leaves it out; empty if it must be given, or its alternative
   std::string_view fallback{};
   bool in_templates{true};  ///< false: a motor with a given amplitude does without it
+  bool absolute{false};     ///< an absolute temperature, which is also read in degC
 };
 
 /// The table, one row for each Parameter, in its order; static lifetime.

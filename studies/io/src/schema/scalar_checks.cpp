@@ -77,7 +77,7 @@ void check_size(double value, std::string_view text, const Schema& schema) {
 
 double parse_number_of(std::string_view text, const Schema& schema) {
   const bool count = schema.kind == ValueKind::count;
-  return parse_quantity(text, Expected{count ? "1" : schema.unit, schema.example});
+  return parse_quantity(text, Expected{count ? "1" : schema.unit, schema.example, schema.absolute});
 }
 
 double read_number(std::string_view text, const Schema& schema) {

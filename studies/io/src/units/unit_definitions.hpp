@@ -115,6 +115,10 @@ inline constexpr NamedDimension kDimensions[] = {
     {"K", "temperature"},
     {"N.s", "impulse"},
     {"kg.m^2", "moment of inertia"},
+    {"W/K", "conductance for heat"},
+    {"J/K", "heat capacity"},
+    {"W/(m.K)", "conductivity for heat"},
+    {"1/K", "change per kelvin"},
 };
 
 }  // namespace twum::io

@@ -110,6 +110,8 @@ class UnitSystem {
     const UnitPointer one(ut_get_dimensionless_unit_one(system_));
     const UnitPointer percent(ut_scale(0.01, one.get()));
     map("%", percent.get());
+    const UnitPointer ppm(ut_scale(1e-6, one.get()));
+    map("ppm", ppm.get());
   }
 
   void add_base(const BaseUnit& base) {

@@ -21,12 +21,12 @@ namespace twum::io {
 namespace {
 
 // Usual units, suggested for mistyped ones.
-constexpr std::array<std::string_view, 45> kUsualUnits{
-    "nm",     "um",     "mm",    "cm",   "m",      "Pa",    "kPa",    "MPa",     "GPa",
-    "N",      "mN",     "kN",    "N.m",  "mN.m",   "N.cm",  "rpm",    "rad/s",   "Hz",
-    "kHz",    "MHz",    "W",     "mW",   "kW",     "W/m^2", "kW/m^2", "W/cm^2",  "W/mm^2",
-    "kg/m^3", "g/cm^3", "N.s/m", "Pa.s", "Pa.s^2", "deg",   "rad",    "rev/min", "N/mm^2",
-    "bar",    "s",      "ms",    "%",    "ohm",    "mH",    "nF",     "N/V",     "1/s"};
+constexpr std::array<std::string_view, 49> kUsualUnits{
+    "nm",   "um",     "mm",  "cm",    "m",       "Pa",     "kPa",    "MPa",    "GPa",    "N",
+    "mN",   "kN",     "N.m", "mN.m",  "N.cm",    "rpm",    "rad/s",  "Hz",     "kHz",    "MHz",
+    "W",    "mW",     "kW",  "W/m^2", "kW/m^2",  "W/cm^2", "W/mm^2", "kg/m^3", "g/cm^3", "N.s/m",
+    "Pa.s", "Pa.s^2", "deg", "rad",   "rev/min", "N/mm^2", "bar",    "s",      "ms",     "%",
+    "ohm",  "mH",     "nF",  "N/V",   "1/s",     "K",      "W/K",    "J/K",    "ppm"};
 
 bool dimensionless(std::string_view unit) { return unit == "1"; }
 
@@ -105,8 +105,21 @@ struct Match {
   std::size_t which;
 };
 
+// Scale of a temperature in degC. @throws ValueError where none with its offset is expected
+Match match_celsius(std::string_view whole, std::size_t at, std::span<const Expected> expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (expected[i].absolute) return {Scale::celsius(), i};
+  const bool difference = std::any_of(expected.begin(), expected.end(),
+                                      [](const Expected& one) { return one.unit == "K"; });
+  if (difference)
+    throw ValueError(quoted(whole) + " is an absolute temperature",
+                     "expected a difference of temperatures in K such as '40 K'", at);
+  throw ValueError(quoted(whole) + " is a temperature", expectation(expected), at);
+}
+
 Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                  std::span<const Expected> expected) {
+  if (is_celsius(unit)) return match_celsius(whole, at, expected);
   if (const std::string wrong = unit_form_complaint(unit); !wrong.empty()) {
     throw ValueError(quoted(whole) + ": " + quoted(unit) + " " + wrong,
                      expectation_instead_of(unit, expected), at);
@@ -186,11 +199,18 @@ Scale::Scale(double factor) : factor_(factor), power_() {
   }
 }
 
+Scale Scale::celsius() {
+  Scale scale;
+  scale.power_.reset();
+  scale.offset_ = 273.15;
+  return scale;
+}
+
 std::optional<double> Scale::read(std::string_view number) const noexcept {
   if (power_) return parse_decimal(number, *power_);
   const auto value = parse_number(number);
   if (!value || !std::isfinite(*value * factor_)) return {};
-  return *value * factor_;
+  return *value * factor_ + offset_;
 }
 
 Quantity parse_quantity(std::string_view text, std::span<const Expected> expected) {
@@ -221,6 +241,10 @@ Measure parse_measure(std::string_view text) {
   text = trimmed(text);
   const std::string_view unit = trimmed(text.substr(number_prefix(text)));
   if (unit.empty()) return {parse_quantity(text, {"1", ""}), {}};
+  if (is_celsius(unit))
+    throw ValueError(quoted(text) + " is an absolute temperature",
+                     "compare it with a metric of a temperature alone, or write K",
+                     text.size() - unit.size());
   if (!unit_form_complaint(unit).empty() || !is_unit(unit)) {
     const std::string_view meant = nearest(unit, kUsualUnits);
     throw ValueError(quoted(text) + ": unknown unit " + quoted(unit),
@@ -250,6 +274,8 @@ Scale parse_unit(std::string_view unit, const Expected& expected) {
   }
   return match_unit(unit, unit, 0, std::span(&expected, 1)).scale;
 }
+
+bool is_celsius(std::string_view unit) { return unit == "degC" || unit == "\xC2\xB0\x43"; }
 
 std::string_view dimension_name(std::string_view si_unit) {
   const auto* found = std::find_if(std::begin(kDimensions), std::end(kDimensions),

@@ -226,6 +226,16 @@ constexpr Section kSections[] = {
     {"stator.sensor", "an electrode that senses the wave", nullptr, false},
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
     {"rotor", "the rotor's face", nullptr, false},
+    {"thermal", "what heats and cools the motor", nullptr, false},
+    {"thermal.stator", "metal and ceramic of the stator", nullptr, false},
+    {"thermal.rotor", "the rotor without the lining", nullptr, false},
+    {"thermal.housing", "the housing and what it is mounted on", nullptr, false},
+    {"thermal.contact", "where lining and stator slide", nullptr, false},
+    {"thermal.conductances", "ways of the heat between the masses and to the ambient", nullptr,
+     false},
+    {"thermal.drift", "relative change per kelvin of the motor's parameters", nullptr, false},
+    {"thermal.one_node", "the whole motor as one mass, from a data sheet, in place of the others",
+     nullptr, false},
     {"stator.geometry",
      "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
      nullptr, false},
@@ -364,6 +374,7 @@ Schema parameter_schema(const ParameterInfo& parameter) {
   schema.min = parameter.min;
   schema.max = parameter.max;
   schema.whole = parameter.integer;
+  schema.absolute = parameter.absolute;
   return schema;
 }
 

@@ -119,9 +119,71 @@ void refuse_symbol(const ParameterInfo& row, std::string_view name) {
                        "'; a unit is written without blanks, such as '5 kW/m^2'");
 }
 
+constexpr std::string_view kWarm = "warm";
+constexpr const char* kWarmUsage =
+    "write 'warm(speed_at(0.5 N.m))', or 'warm(stall_torque, 0.5 N.m)' for the temperatures of a "
+    "point";
+
+// Pieces between the commas that stand in no parentheses.
+std::vector<std::string_view> pieces_of(std::string_view text) {
+  std::vector<std::string_view> pieces;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i < text.size() && text[i] == '(') ++depth;
+    if (i < text.size() && text[i] == ')') --depth;
+    if (i < text.size() && (text[i] != ',' || depth > 0)) continue;
+    pieces.push_back(trimmed(text.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  return pieces;
+}
+
+// A metric with its own argument, for warm().
+MetricRequest parse_warmed(std::string_view piece, std::size_t at) {
+  const std::size_t open = piece.find('(');
+  const auto metric = find_metric(trimmed(piece.substr(0, open)));
+  if (!metric || info(*metric).needs_thermal)
+    throw ValueError("warm: " + quoted(piece) + " is no metric of the motor at a temperature",
+                     kWarmUsage, at);
+  try {
+    return parse_request(info(*metric), piece, open);
+  } catch (const ValueError& error) {
+    throw ValueError(error.found(), error.expected(), at + error.position());
+  }
+}
+
+// "warm(speed_at(0.5 N.m))", "warm(stall_torque, 0.5 N.m)", "warm(stall_torque, 0.5 N.m, 100 rpm)"
+MetricRequest parse_warm(std::string_view text, std::size_t open) {
+  if (open == std::string_view::npos)
+    throw ValueError(quoted(text) + " needs a metric in parentheses", kWarmUsage, text.size());
+  const auto pieces = pieces_of(text.substr(open + 1, text.size() - open - 2));
+  const auto at = [&](std::size_t i) {
+    return static_cast<std::size_t>(pieces[i].data() - text.data());
+  };
+  if (pieces.size() > 3)
+    throw ValueError("warm takes a metric, a torque and a speed at most", kWarmUsage, at(3));
+  MetricRequest request = parse_warmed(pieces[0], at(0));
+  if (pieces.size() == 1) {
+    if (request.argument == Argument::none)
+      throw ValueError(
+          quoted(pieces[0]) + " has no point of its own whose temperatures would count",
+          "name one, such as 'warm(" + std::string(pieces[0]) + ", 0.5 N.m)'", at(0));
+    request.warm_at = LoadPoint{request.argument, request.at, request.torque};
+    return request;
+  }
+  MetricInfo load;
+  load.name = kWarm, load.argument = Argument::speed_or_torque;
+  const MetricRequest point = pieces.size() == 2 ? parse_argument(load, pieces[1], at(1))
+                                                 : parse_held(load, pieces[1], pieces[2], text);
+  request.warm_at = LoadPoint{point.argument, point.at, point.torque};
+  return request;
+}
+
 Term parse_term(std::string_view text, bool whole_text) {
   const std::size_t open = text.find('(');
   const std::string_view name = trimmed(text.substr(0, open));
+  if (name == kWarm) return parse_warm(text, open);
   if (const auto metric = find_metric(name)) return parse_request(info(*metric), text, open);
   const auto parameter = find_parameter(name);
   if (!parameter) unknown_name(name, 0);
@@ -136,7 +198,7 @@ Term parse_term(std::string_view text, bool whole_text) {
 // True if the text begins with the name of a metric or parameter: not if it stands in parentheses.
 bool find_term(std::string_view text) {
   const std::string_view name = trimmed(text.substr(0, text.find('(')));
-  return find_metric(name).has_value() || find_parameter(name).has_value();
+  return name == kWarm || find_metric(name).has_value() || find_parameter(name).has_value();
 }
 
 // Place of a term in a list, to which it is added if it is new.
@@ -246,6 +308,13 @@ bool needs_voltage(Metric metric) {
          metric == Metric::pull_out_frequency;
 }
 
+// Metrics without argument that need a thermal block; without any drift a motor starts at every temperature or at none.
+bool has_temperature(const MotorDesign& design, Metric metric) {
+  if (!design.thermal) return false;
+  if (metric != Metric::start_temperature) return true;
+  return design.stator.voltage && !(design.thermal->drift == ThermalDrift{});
+}
+
 }  // namespace
 
 std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
@@ -253,6 +322,7 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
   for (const MetricInfo& row : metric_table()) {
     const bool meant = (!row.needs_modes || has_modal_data(design)) &&
                        (!row.needs_geometry || design.stator.geometry) &&
+                       (!row.needs_thermal || has_temperature(design, row.metric)) &&
                        (!needs_voltage(row.metric) || design.stator.voltage);
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }

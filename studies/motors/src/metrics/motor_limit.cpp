@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motors/motor_limit.hpp>
 
+#include <twum/io/number.hpp>
+#include <twum/io/units.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
 
@@ -32,7 +34,14 @@ struct Piece {
       throw ValueError(error.found(), error.expected(), begin + error.position());
     }
   }
+  // "80 degC": an absolute temperature of its own, and where it stands.
+  std::optional<double> celsius() const {
+    const std::string_view typed = trimmed(text());
+    if (!is_celsius(trimmed(typed.substr(std::min(typed.size(), number_prefix(typed)))))) return {};
+    return read([](std::string_view part) { return parse_quantity(part, {"K", "80 degC", true}); });
+  }
   MetricExpression side() const {
+    if (const auto kelvin = celsius()) return parse_side(number_text(*kelvin) + " K");
     if (trimmed(text()).empty())
       throw ValueError("a part of the limit is empty",
                        "expected a metric or a quantity such as 'stall_torque' or '0.8 N.m'",
@@ -166,6 +175,37 @@ MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance) {
   return limit;
 }
 
+namespace {
+
+bool is_absolute(const MetricExpression& side) {
+  const MetricRequest* request = side.request();
+  const Parameter* parameter = side.parameter();
+  return (request != nullptr && info(request->metric).absolute) ||
+         (parameter != nullptr && info(*parameter).absolute);
+}
+
+// A temperature in degC stands opposite an absolute temperature alone.
+void check_celsius(std::string_view text, const std::vector<Sign>& signs) {
+  std::vector<Piece> pieces{{text, 0, text.size()}};
+  for (const Sign& sign : signs) {
+    pieces.back().end = sign.at;
+    pieces.push_back({text, sign.at + sign.text.size(), text.size()});
+  }
+  for (const Piece& typed : pieces) {
+    if (!typed.celsius()) continue;
+    const bool right = std::any_of(pieces.begin(), pieces.end(), [](const Piece& other) {
+      return !other.celsius() && is_absolute(other.side());
+    });
+    if (!right)
+      throw ValueError(quoted(trimmed(typed.text())) + " is an absolute temperature",
+                       "compare it with a metric of a temperature alone, such as "
+                       "'stator_temperature_at(0.5 N.m) <= 80 degC', or write a difference in K",
+                       typed.begin);
+  }
+}
+
+}  // namespace
+
 MotorLimit parse_limit(std::string_view text) {
   text = trimmed(text);
   const std::vector<Sign> signs = comparisons(text);
@@ -173,6 +213,7 @@ MotorLimit parse_limit(std::string_view text) {
   if (signs.size() > 2)
     throw ValueError(quoted(text) + " has more than two signs", kUsage, signs[2].at);
   if (signs.size() == 1 && signs[0].text == "==") return equality(text, signs[0]);
+  check_celsius(text, signs);
   const auto after = [](const Sign& sign) { return sign.at + sign.text.size(); };
   const MetricExpression first = Piece{text, 0, signs[0].at}.side();
   const MetricExpression last = Piece{text, after(signs.back()), text.size()}.side();

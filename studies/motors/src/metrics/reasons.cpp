@@ -48,7 +48,21 @@ std::span<const Reason> reasons() {
       {MetricStatus::amplitude_too_low,
        "this torque at this speed needs a larger amplitude than the motor's"},
       {MetricStatus::outside_frequency_range,
-       "the frequency that holds this torque at this speed lies outside stator.frequency_range"}};
+       "the frequency that holds this torque at this speed lies outside stator.frequency_range"},
+      {MetricStatus::no_steady_temperature,
+       "the motor warms until it no longer carries the load, so there is no steady temperature; "
+       "lower the load, run it a part of the time only, or let the drive track the resonance "
+       "(frequency_ratio)"},
+      {MetricStatus::thermally_unstable,
+       "the temperatures do not settle: the losses rise faster with temperature than the heat "
+       "leaves; lower the voltage or the load, or let the drive track the resonance "
+       "(frequency_ratio)"},
+      {MetricStatus::temperature_out_of_range,
+       "the temperature is so far from the reference that a parameter would lose nine tenths of "
+       "its value or leave its range; lower the voltage, or check the entries of thermal.drift"},
+      {MetricStatus::too_hot_at_no_load,
+       "a limit of temperature is broken without a load already; lower the voltage or run the "
+       "motor a part of the time only, since less torque does not help"}};
   return kReasons;
 }
 

@@ -20,7 +20,7 @@ std::string name_of(Parameter parameter) { return std::string(info(parameter).na
 MotorDesign ordinary(const MotorDesign& base, const std::vector<Parameter>& given) {
   std::vector<ParameterValue> values;
   const auto add = [&](const ParameterInfo& row) {
-    values.emplace_back(row.parameter, parse_quantity(row.example, {row.unit, ""}));
+    values.emplace_back(row.parameter, parse_quantity(row.example, {row.unit, "", row.absolute}));
   };
   for (const ParameterInfo& row : parameter_table()) {
     const bool replaced = std::any_of(given.begin(), given.end(), [&](Parameter parameter) {

@@ -115,7 +115,7 @@ DesignTable::TableColumn DesignTable::parameter_column(const std::string& text,
   if (!heading.has_unit && row.unit != "1")
     without_unit_.push_back(std::string(heading.name) + " [" + std::string(row.unit) + "]");
   const Scale scale =
-      heading.has_unit ? parse_unit(heading.unit, {row.unit, row.example}) : Scale();
+      heading.has_unit ? parse_unit(heading.unit, {row.unit, row.example, row.absolute}) : Scale();
   return {std::string(heading.name), text, row.parameter, scale};
 }
 

@@ -75,11 +75,20 @@ class ColumnReader {
     column->mark = heading.mark;
     try {
       if (parts.has_unit)
-        column->scale = parse_unit(parts.unit, {column->expected, example_of(*column)});
+        column->scale =
+            parse_unit(parts.unit, {column->expected, example_of(*column), is_absolute(*column)});
     } catch (const ValueError& error) {
       diagnostics_.add(heading.mark, column->name, error.found(), error.expected());
     }
     columns_.push_back(std::move(*column));
+  }
+
+  // A standard deviation is a difference.
+  static bool is_absolute(const MeasuredColumn& column) {
+    if (column.role == ColumnRole::parameter) return info(column.parameter).absolute;
+    const auto* request = std::get_if<MetricRequest>(&column.reading);
+    return column.role == ColumnRole::measured && request != nullptr &&
+           info(request->metric).absolute;
   }
 
   static std::string_view example_of(const MeasuredColumn& column) {

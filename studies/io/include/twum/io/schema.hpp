@@ -49,7 +49,8 @@ struct Schema {
   double max{std::numeric_limits<double>::infinity()};   ///< likewise
   bool min_excluded{false};                              ///< the value must exceed `min`
   bool max_excluded{false};                              ///< the value must be less than `max`
-  bool whole{false};  ///< quantity without unit: whole numbers only
+  bool whole{false};     ///< quantity without unit: whole numbers only
+  bool absolute{false};  ///< quantity: an absolute temperature, which may be given in degC
 
   std::vector<std::string> words;  ///< word: the choices
   std::string

@@ -29,6 +29,8 @@ struct OwnMetric {
 
 /// A name in an expression: a metric ("stall_torque"), a point metric ("torque_at(100 rpm)", "efficiency_at(0.5
 /// N.m)"; the dimension says whether it is a speed or a torque), a parameter of the design, or a program's own metric. In SI.
+/// "warm(speed_at(0.5 N.m))" is a metric at the steady temperatures of its own point, "warm(stall_torque, 0.5 N.m)" at those of the
+/// point that is named.
 using Term = std::variant<MetricRequest, Parameter, std::shared_ptr<const OwnMetric>>;
 
 /// A quantity of a motor that a study or table can ask for: a term, or a formula of terms such as "thickness / (2 *

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "design/motor_rows.hpp"
+#include "design/thermal_design.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+namespace twum {
+namespace thermal_rows {
+
+using P = Parameter;
+using motor_rows::kNoAlternative;
+
+template <typename T>
+inline constexpr bool kOptional = false;
+template <typename T>
+inline constexpr bool kOptional<std::optional<T>> = true;
+
+/// The number at the end of a path of members; NaN where a block on the way is missing.
+template <auto first, auto... rest, typename Block>
+double number_at(const Block& block) {
+  const auto& member = block.*first;
+  using Member = std::decay_t<decltype(member)>;
+  if constexpr (sizeof...(rest) == 0 && kOptional<Member>) return member.value_or(kNoValue);
+  if constexpr (sizeof...(rest) == 0 && !kOptional<Member>) return member;
+  if constexpr (sizeof...(rest) > 0 && kOptional<Member>)
+    return member ? number_at<rest...>(*member) : kNoValue;
+  if constexpr (sizeof...(rest) > 0 && !kOptional<Member>) return number_at<rest...>(member);
+}
+
+/// Sets it, and makes the blocks on the way that are missing.
+template <auto first, auto... rest, typename Block>
+void set_at(Block& block, double value) {
+  auto& member = block.*first;
+  if constexpr (sizeof...(rest) == 0) {
+    member = value;
+  } else if constexpr (kOptional<std::decay_t<decltype(member)>>) {
+    if (!member) member.emplace();
+    set_at<rest...>(*member, value);
+  } else {
+    set_at<rest...>(member, value);
+  }
+}
+
+/// A number of the thermal block; none without it.
+template <auto... path>
+constexpr ParameterPlace of_heat() {
+  constexpr auto read = [](const MotorDesign& d) {
+    return number_at<&MotorDesign::thermal, path...>(d);
+  };
+  return {read,
+          [](const MotorDesign& d) {
+            return !std::isnan(number_at<&MotorDesign::thermal, path...>(d));
+          },
+          [](MotorDesign& d, double value) {
+            set_at<&MotorDesign::thermal, path...>(d, value);
+            return true;
+          }};
+}
+
+/// Rows of the parameter table for heat. Every motor does without them.
+inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
+    {{P::conductivity, "conductivity", "", "W/(m.K)", "contact_layer.conductivity", 1e-3, 1e4,
+      false, false, kNoAlternative, "0.25 W/(m.K)",
+      "conductivity of the contact layer for heat; gives conductance_lining",
+      "a tenth of the best foam to five times diamond", "none", false},
+     optional_number<&ContactLayer::conductivity>()},
+    {{P::ambient_temperature, "ambient_temperature", "", "K", "thermal.ambient", 1, 3000, false,
+      false, kNoAlternative, "20 degC", "temperature round the motor",
+      "from liquid helium to beyond any ceramic", "20 degC", false, true},
+     of_heat<&Thermal::ambient>()},
+    {{P::reference_temperature, "reference_temperature", "", "K", "thermal.reference", 1, 3000,
+      false, false, kNoAlternative, "20 degC",
+      "temperature of the whole motor at which the parameters of the file hold",
+      "as ambient_temperature", "ambient", false, true},
+     of_heat<&Thermal::reference>().read_by(reference_temperature)},
+    {{P::stator_heat_capacity, "stator_heat_capacity", "", "J/K", "thermal.stator.heat_capacity",
+      1e-9, 1e9, false, false, kNoAlternative, "25 J/K",
+      "heat capacity of the stator, metal and ceramic",
+      "from a silicon disc of 10 um to 2000 t of steel", "none; three masses need it", false},
+     of_heat<&Thermal::stator, &ThermalBody::heat_capacity>()},
+    {{P::stator_temperature_limit, "stator_temperature_limit", "", "K", "thermal.stator.limit", 1,
+      3000, false, false, kNoAlternative, "80 degC", "highest temperature that the stator may have",
+      "as ambient_temperature", "no limit", false, true},
+     of_heat<&Thermal::stator, &ThermalBody::temperature_limit>()},
+    {{P::rotor_heat_capacity, "rotor_heat_capacity", "", "J/K", "thermal.rotor.heat_capacity", 1e-9,
+      1e9, false, false, kNoAlternative, "25 J/K", "heat capacity of the rotor",
+      "from a silicon disc of 10 um to 2000 t of steel", "none; three masses need it", false},
+     of_heat<&Thermal::rotor, &ThermalBody::heat_capacity>()},
+    {{P::rotor_temperature_limit, "rotor_temperature_limit", "", "K", "thermal.rotor.limit", 1,
+      3000, false, false, kNoAlternative, "80 degC", "highest temperature that the rotor may have",
+      "as ambient_temperature", "no limit", false, true},
+     of_heat<&Thermal::rotor, &ThermalBody::temperature_limit>()},
+    {{P::housing_heat_capacity, "housing_heat_capacity", "", "J/K", "thermal.housing.heat_capacity",
+      1e-9, 1e9, false, false, kNoAlternative, "25 J/K",
+      "heat capacity of the housing and what it is mounted on",
+      "from a silicon disc of 10 um to 2000 t of steel", "none; three masses need it", false},
+     of_heat<&Thermal::housing, &ThermalBody::heat_capacity>()},
+    {{P::housing_temperature_limit, "housing_temperature_limit", "", "K", "thermal.housing.limit",
+      1, 3000, false, false, kNoAlternative, "80 degC",
+      "highest temperature that the housing may have", "as ambient_temperature", "no limit", false,
+      true},
+     of_heat<&Thermal::housing, &ThermalBody::temperature_limit>()},
+    {{P::contact_temperature_limit, "contact_temperature_limit", "", "K", "thermal.contact.limit",
+      1, 3000, false, false, kNoAlternative, "120 degC",
+      "highest temperature that the sliding face of the lining may have", "as ambient_temperature",
+      "no limit", false, true},
+     of_heat<&Thermal::contact_temperature_limit>()},
+    {{P::conductance_stator_contact, "conductance_stator_contact", "", "W/K",
+      "thermal.conductances.stator_contact", 1e-12, 1e9, false, false, kNoAlternative, "15 W/K",
+      "conductance from the stator through its teeth to the sliding contact",
+      "1 GW/K leaves no difference of temperatures, a millionth of a millionth no heat",
+      "none; three masses need it", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::stator_contact>()},
+    {{P::conductance_lining, "conductance_lining", "", "W/K", "thermal.conductances.lining", 1e-12,
+      1e9, false, false, kNoAlternative, "0.333 W/K",
+      "conductance from the sliding contact through the lining to the rotor",
+      "1 GW/K leaves no difference of temperatures, a millionth of a millionth no heat",
+      "conductivity 2 pi r b / h", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::lining>().read_by(lining_conductance)},
+    {{P::conductance_stator_housing, "conductance_stator_housing", "", "W/K",
+      "thermal.conductances.stator_housing", 0, 1e9, false, false, kNoAlternative, "0.8 W/K",
+      "conductance from the stator to the housing, through the web",
+      "0 is no path; 1 GW/K leaves no difference of temperatures", "none; three masses need it",
+      false},
+     of_heat<&Thermal::conductances, &ThermalConductances::stator_housing>()},
+    {{P::conductance_rotor_housing, "conductance_rotor_housing", "", "W/K",
+      "thermal.conductances.rotor_housing", 0, 1e9, false, false, kNoAlternative, "0.25 W/K",
+      "conductance from the rotor to the housing, through bearing and shaft",
+      "0 is no path; 1 GW/K leaves no difference of temperatures", "none; three masses need it",
+      false},
+     of_heat<&Thermal::conductances, &ThermalConductances::rotor_housing>()},
+    {{P::conductance_housing_ambient, "conductance_housing_ambient", "", "W/K",
+      "thermal.conductances.housing_ambient", 0, 1e9, false, false, kNoAlternative, "0.22 W/K",
+      "conductance from the housing to the ambient, through flange and air",
+      "0 is no path; 1 GW/K leaves no difference of temperatures", "0 W/K", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::housing_ambient>()},
+    {{P::conductance_stator_ambient, "conductance_stator_ambient", "", "W/K",
+      "thermal.conductances.stator_ambient", 0, 1e9, false, false, kNoAlternative, "0.03 W/K",
+      "conductance from the stator to the ambient",
+      "0 is no path; 1 GW/K leaves no difference of temperatures", "0 W/K", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::stator_ambient>()},
+    {{P::conductance_rotor_ambient, "conductance_rotor_ambient", "", "W/K",
+      "thermal.conductances.rotor_ambient", 0, 1e9, false, false, kNoAlternative, "0.03 W/K",
+      "conductance from the rotor to the ambient",
+      "0 is no path; 1 GW/K leaves no difference of temperatures", "0 W/K", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::rotor_ambient>()},
+    {{P::drift_resonance_frequency, "drift_resonance_frequency", "", "1/K",
+      "thermal.drift.resonance_frequency", -0.1, 0.1, false, false, kNoAlternative, "-0.022 %/K",
+      "relative change of resonance_frequency per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::resonance_frequency>()},
+    {{P::drift_quality_factor, "drift_quality_factor", "", "1/K", "thermal.drift.quality_factor",
+      -0.1, 0.1, false, false, kNoAlternative, "-0.3 %/K",
+      "relative change of quality_factor per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::quality_factor>()},
+    {{P::drift_modal_damping, "drift_modal_damping", "", "1/K", "thermal.drift.modal_damping", -0.1,
+      0.1, false, false, kNoAlternative, "0.3 %/K", "relative change of modal_damping per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::modal_damping>()},
+    {{P::drift_force_factor, "drift_force_factor", "", "1/K", "thermal.drift.force_factor", -0.1,
+      0.1, false, false, kNoAlternative, "0.05 %/K", "relative change of force_factor per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::force_factor>()},
+    {{P::drift_blocked_capacitance, "drift_blocked_capacitance", "", "1/K",
+      "thermal.drift.blocked_capacitance", -0.1, 0.1, false, false, kNoAlternative, "0.4 %/K",
+      "relative change of blocked_capacitance per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::blocked_capacitance>()},
+    {{P::drift_loss_tangent, "drift_loss_tangent", "", "1/K", "thermal.drift.loss_tangent", -0.1,
+      0.1, false, false, kNoAlternative, "0.5 %/K", "relative change of loss_tangent per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::loss_tangent>()},
+    {{P::drift_youngs_modulus, "drift_youngs_modulus", "", "1/K", "thermal.drift.youngs_modulus",
+      -0.1, 0.1, false, false, kNoAlternative, "-0.3 %/K",
+      "relative change of youngs_modulus per kelvin, and of the shear modulus with it",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::youngs_modulus>()},
+    {{P::drift_loss_factor, "drift_loss_factor", "", "1/K", "thermal.drift.loss_factor", -0.1, 0.1,
+      false, false, kNoAlternative, "0.2 %/K", "relative change of loss_factor per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::loss_factor>()},
+    {{P::drift_shear_viscosity, "drift_shear_viscosity", "", "1/K", "thermal.drift.shear_viscosity",
+      -0.1, 0.1, false, false, kNoAlternative, "-0.2 %/K",
+      "relative change of shear_viscosity per kelvin",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::shear_viscosity>()},
+    {{P::drift_kinetic_friction, "drift_kinetic_friction", "", "1/K",
+      "thermal.drift.kinetic_friction", -0.1, 0.1, false, false, kNoAlternative, "-0.1 %/K",
+      "relative change of kinetic_friction per kelvin, and of the static one with it",
+      "at 10 %/K no linear law holds over ten kelvin", "0 1/K", false},
+     of_heat<&Thermal::drift, &ThermalDrift::kinetic_friction>()},
+    {{P::one_node_rise, "one_node_rise", "", "K", "thermal.one_node.rise", 1e-6, 3000, false, false,
+      kNoAlternative, "40 K",
+      "steady rise above ambient of the motor as one node, at one_node_torque",
+      "from the finest measurement to beyond any ceramic", "none; one node needs it", false},
+     of_heat<&Thermal::one_node, &OneNode::rise>()},
+    {{P::one_node_torque, "one_node_torque", "", "N.m", "thermal.one_node.at", 0, 1e12, false,
+      false, kNoAlternative, "0.5 N.m", "load torque of one_node_rise",
+      "0 is no load; 1 TN.m is friction of 100 GN at 1 m", "0 N.m", false},
+     of_heat<&Thermal::one_node, &OneNode::torque>()},
+    {{P::one_node_time_constant, "one_node_time_constant", "", "s",
+      "thermal.one_node.time_constant", 1e-9, 1e9, false, false, kNoAlternative, "11 min",
+      "time constant of the warm-up of the motor as one node",
+      "from a silicon disc of 10 um to thirty years", "none; one node needs it", false},
+     of_heat<&Thermal::one_node, &OneNode::time_constant>()},
+})};
+
+}  // namespace thermal_rows
+
+using thermal_rows::kThermalRows;
+}  // namespace twum

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "heat/warm_design.hpp"
+
+#include <twum/core/metric_value.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace twum::core {
+
+/// Losses of a motor at temperatures of its nodes, and their derivatives by these.
+struct WarmLosses {
+  MetricStatus status{MetricStatus::ok};
+  Sources<double> p{};                    ///< [W]
+  std::array<Vector3, kSources> slope{};  ///< p_x [W/K]
+};
+using LossesAt = std::function<WarmLosses(const NodeTemperatures& x)>;
+
+/// A network at an ambient temperature, with losses that follow the temperatures.
+struct HeatProblem {
+  HeatNetwork network;
+  double ambient;
+  LossesAt losses;
+};
+
+/// A state of the masses with the losses there.
+struct HeatState {
+  MetricStatus status{MetricStatus::ok};
+  NodeTemperatures x{};                   ///< T_s, T_c, T_l [K]
+  Sources<double> p{};                    ///< [W]
+  std::array<Vector3, kSources> slope{};  ///< p_x
+  Vector3 theta{};                        ///< of the masses above ambient [K]
+  double time{0};                         ///< since the motor was cold, of a state on its way [s]
+  Matrix3 moved{kIdentity3};  ///< how theta moves with that at the beginning of advanced()
+};
+
+/// A fixed point of (H3.2) with what says whether the motor stays there.
+struct SteadyState {
+  HeatState state{};
+  double gain{0};        ///< the eigenvalue of Phi_x that is farthest from zero (H3.3) [1]
+  double slowest{0};     ///< largest real part of the eigenvalues of C^-1 (-K + B p_theta) [1/s]
+  double lost_after{0};  ///< time after which the warm-up lost the point [s]; else 0
+
+  bool ok() const { return state.status == MetricStatus::ok; }
+};
+
+/// Steady states and the way to them.
+class HeatSolver {
+ public:
+  explicit HeatSolver(HeatProblem problem);
+
+  /// The steady state that the cold motor reaches (H4.3). Newton's method from the ambient temperature (H3.3) where the way there
+  /// is smooth, else the warm-up in time.
+  SteadyState from_cold() const;
+  /// The steady state that Newton's method finds from temperatures.
+  SteadyState near(const NodeTemperatures& start) const;
+
+  /// x = T_a + M theta + D p with p at x: by one step of Newton's method from a guess, or several where that moves it far.
+  HeatState at_masses(const Vector3& theta, NodeTemperatures guess) const;
+  /// The motor in time from a state on, in steps of (H4.3) that differ by `tolerance` from their halves [K]; ends at the time, or
+  /// with a status where the point is lost.
+  HeatState advanced(HeatState state, double duration, double tolerance) const;
+  HeatState cold() const { return at_masses({}, ambient_nodes()); }
+  NodeTemperatures cold_nodes() const { return ambient_nodes(); }
+  /// theta after a time as E theta + v, with the losses of the cold motor (H4.1).
+  struct Linear {
+    Matrix3 E;
+    Vector3 v;
+  };
+  Linear with_cold_losses(double time) const;
+  /// The temperatures of all parts [K].
+  PartValues<double> parts(const HeatState& state) const;
+  /// Phi(x) from the losses at x (H3.2).
+  NodeTemperatures image(const Sources<double>& p) const;
+  /// Phi_x = N p_x (H3.3).
+  Matrix3 loop(const std::array<Vector3, kSources>& slope) const;
+  /// dPhi / dp.
+  const std::array<Sources<double>, kParts>& response() const { return response_; }
+
+ private:
+  struct Step {
+    HeatState end;
+    double error;
+  };
+  NodeTemperatures ambient_nodes() const { return {ambient_, ambient_, ambient_}; }
+  NodeTemperatures nodes_at(const Vector3& theta, const HeatState& known) const;
+  /// One step (I - Phi_x)^-1 (Phi(x) - x).
+  Vector3 newton_step(const HeatState& at) const;
+  HeatState with_losses(const NodeTemperatures& x) const;
+  bool leads_there(const HeatState& cold, const SteadyState& found) const;
+  SteadyState judged(HeatState state) const;
+  SteadyState marched() const;
+  Matrix3 jacobian(const HeatState& state) const;
+  Vector3 rate(const HeatState& state) const;
+  struct Flow {
+    Vector3 theta;
+    Matrix3 exp;  ///< of dt J
+  };
+  Flow flow(const HeatState& state, double time) const;
+  Step step(const HeatState& state, double time) const;
+  struct Advance {
+    HeatState state;
+    double time;  ///< of the step
+    double next;  ///< that the next step may have
+  };
+  Advance one_step(const HeatState& state, double wanted, double tolerance) const;
+
+  HeatProblem problem_;
+  double ambient_;
+  NetworkMatrices<double> matrices_;
+  Vector3 capacities_;
+  std::array<Sources<double>, kParts> response_;  // of the steady parts by p
+};
+
+}  // namespace twum::core

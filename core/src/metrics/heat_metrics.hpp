@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "metrics/load_losses.hpp"
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace twum::core {
+
+/// Parts whose temperatures parameters follow, in the order of ThermalNode.
+inline constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
+/// Parts with a limit, which are the first, and their limits.
+inline constexpr std::array kTemperatureLimits{
+    Parameter::stator_temperature_limit, Parameter::rotor_temperature_limit,
+    Parameter::housing_temperature_limit, Parameter::contact_temperature_limit};
+
+/// True for metrics of the motor's temperatures.
+constexpr bool is_heat_metric(Metric metric) {
+  switch (metric) {
+    case Metric::stator_temperature_at:
+    case Metric::rotor_temperature_at:
+    case Metric::housing_temperature_at:
+    case Metric::contact_temperature_at:
+    case Metric::temperature_margin_at:
+    case Metric::thermal_gain_at:
+    case Metric::thermal_time_constant:
+    case Metric::continuous_torque:
+    case Metric::continuous_torque_at:
+    case Metric::start_temperature: return true;
+    default: return false;
+  }
+}
+
+/// True for what HeatMetrics answers: those, and any metric of the warm motor.
+inline bool is_heat(const MetricRequest& request) {
+  return request.warm_at || is_heat_metric(request.metric);
+}
+
+/// Metrics of the motor's temperatures, and those of the motor at its steady temperatures (H6.1). A steady state that several need
+/// is found once.
+class HeatMetrics {
+ public:
+  explicit HeatMetrics(const MotorDesign& design) : design_(design) {}
+
+  MetricValue evaluate(const MetricRequest& request);
+  /// With exact derivatives in all parameters; thermal_gain_at has none.
+  MetricDerivative differentiate(const MetricRequest& request, bool fixed_static_friction);
+
+ private:
+  /// A load, and the steady state that the cold motor reaches under it.
+  struct Known {
+    LoadPoint load;
+    SteadyState steady;
+    PartValues<double> parts;  // absolute
+  };
+  /// The derivatives of a steady state (H6.1).
+  struct Moves {
+    std::array<Gradient, kParts> parts;  // of the temperatures
+    std::array<Gradient, 3> nodes;       // of those that parameters follow
+  };
+  using Limits = std::array<double, kParts>;  // infinite without one
+
+  const HeatNetwork& network();
+  HeatProblem problem(const LoadPoint& load);
+  const Known& known(const LoadPoint& load);
+  /// Without a status beside ok. @throws SearchFailure
+  const Known& steady(const LoadPoint& load);
+  double value(const MetricRequest& request);
+  double margin(const Known& known) const;
+  std::size_t hottest(const Known& known) const;
+  Limits limits() const;
+
+  /// Phi_q: derivatives of the parts' temperatures with the nodes', which parameters follow, held; and p_x.
+  struct Rows {
+    std::array<Gradient, kParts> parts;
+    std::array<Vector3, kSources> slope;
+  };
+  std::optional<Rows> at_fixed_nodes(const Known& known, bool fixed);
+  std::optional<Moves> moves(const Known& known, bool fixed);
+  std::array<Gradient, kParts> by_network(const Known& known, bool fixed);
+  Gradient conductance_of_node(bool fixed);
+  Gradient of_lining(double by_conductance) const;
+  MetricDerivative of_margin(const Known& known, const MetricValue& value, bool fixed);
+  MetricDerivative of_parts(const MetricRequest& request, const MetricValue& value, bool fixed);
+  MetricDerivative of_warm(const MetricRequest& request, const MetricValue& value, bool fixed);
+  MetricDerivative of_time_constant(const MetricValue& value) const;
+
+  /// What ends the torques up to which the motor runs for ever.
+  enum class Limiting : unsigned char {
+    temperature,
+    fold,  ///< of steady states
+    lost,  ///< the warm motor does not carry more
+    load   ///< the cold motor does not carry more
+  };
+  struct Continuous {
+    Known state;
+    double torque;
+    Limiting limiting;
+  };
+  LoadPoint load_with(const MetricRequest& request, double torque) const;
+  double most_torque(const MetricRequest& request);
+  Known followed(const LoadPoint& load, const NodeTemperatures& from);
+  bool keeps_limits(const Known& known) const;
+  Continuous continuous(const MetricRequest& request);
+  MetricDerivative of_continuous(const MetricRequest& request, const MetricValue& value,
+                                 bool fixed);
+  MetricDerivative of_limit(const MetricRequest& request, const Continuous& found,
+                            const MetricValue& value, bool fixed);
+  MetricDerivative of_fold(const MetricRequest& request, const Continuous& found,
+                           const MetricValue& value, bool fixed);
+  /// Derivative of a function of the load torque (H6.2).
+  double by_load(const std::function<double(double)>& f, double torque) const;
+  double holding_torque() const;
+  double voltage_to_spare(double temperature) const;
+  double start_temperature();
+  MetricDerivative of_start(const MetricValue& value, bool fixed);
+
+  const MotorDesign& design_;
+  std::optional<HeatNetwork> network_;
+  std::deque<Known> known_;  // references stay valid
+};
+
+}  // namespace twum::core

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/load_losses.hpp"
+
+#include "curve/curve.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::core {
+namespace {
+
+using P = Parameter;
+
+bool is_known(const Gradient& gradient) {
+  return std::all_of(gradient.begin(), gradient.end(), [](double d) { return std::isfinite(d); });
+}
+
+}  // namespace
+
+DriftRule::DriftRule(const MotorDesign& design, bool fixed_static_friction)
+    : drifting_(drifting_parameters(design)),
+      reference_(reference_temperature(design)),
+      fixed_(fixed_static_friction),
+      follows_ambient_(design.thermal && !design.thermal->reference) {}
+
+// q_k(T) = q_k (1 + a_k (T - T_ref)): by q_k its factor, by a_k the way of the temperature, by T_ref the other sign.
+Gradient DriftRule::at_fixed_temperatures(const Gradient& of_warm,
+                                          const NodeTemperatures& x) const {
+  Gradient g = of_warm;
+  const Vector3 by_nodes = by_temperatures(of_warm);
+  const double by_reference = -(by_nodes[0] + by_nodes[1] + by_nodes[2]);
+  g[index_of(follows_ambient_ ? P::ambient_temperature : P::reference_temperature)] += by_reference;
+  for (const Drifting& one : drifting_) {
+    const std::size_t place = index_of(one.parameter);
+    const double way = x[static_cast<std::size_t>(one.node)] - reference_;
+    const bool counted = one.parameter == P::static_friction && !fixed_;  // in kinetic_friction
+    if (!counted) g[index_of(one.coefficient)] += of_warm[place] * one.value * way;
+    g[place] = of_warm[place] * (1 + one.slope * way);
+  }
+  return g;
+}
+
+Vector3 DriftRule::by_temperatures(const Gradient& of_warm) const {
+  Vector3 by{};
+  for (const Drifting& one : drifting_) {
+    if (one.parameter == P::static_friction && !fixed_) continue;  // moves with kinetic_friction
+    by[static_cast<std::size_t>(one.node)] +=
+        of_warm[index_of(one.parameter)] * one.value * one.slope;
+  }
+  return by;
+}
+
+LoadLosses::LoadLosses(const MotorDesign& design, const LoadPoint& load)
+    : design_(design), load_(load), rule_(design, false), drifts_(drifts(design)) {}
+
+std::vector<MetricRequest> LoadLosses::requests() const {
+  std::vector<MetricRequest> list{at_load(Metric::friction_power_at, load_),
+                                  at_load(Metric::layer_loss_at, load_),
+                                  at_load(Metric::stator_loss_at, load_)};
+  if (has_modal_data(design_)) list.push_back(at_load(Metric::dielectric_loss_at, load_));
+  return list;
+}
+
+WarmLosses LoadLosses::values(const MotorDesign& warm) const {
+  WarmLosses losses;
+  const auto found = evaluate(Motor(warm), requests());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (found[k].status != MetricStatus::ok) losses.status = found[k].status;
+    losses.p[k] = found[k].value;
+  }
+  return losses;
+}
+
+WarmLosses LoadLosses::at(const NodeTemperatures& x) const {
+  const auto warm = at_temperatures(design_, x);
+  if (!warm) return {MetricStatus::temperature_out_of_range, {}, {}};
+  if (!drifts_) return values(*warm);
+  WarmLosses losses;
+  const auto found = differentiate(Motor(*warm), requests());
+  bool smooth = true;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (found[k].value.status != MetricStatus::ok) return {found[k].value.status, {}, {}};
+    losses.p[k] = found[k].value.value;
+    smooth = smooth && is_known(found[k].gradient);
+    losses.slope[k] = rule_.by_temperatures(found[k].gradient);
+  }
+  if (!smooth) losses.slope = differences(x);
+  return losses;
+}
+
+// Where a point has no derivative: central ones over 0.02 K.
+std::array<Vector3, kSources> LoadLosses::differences(const NodeTemperatures& x) const {
+  constexpr double kStep = 0.01;
+  std::array<Vector3, kSources> slope{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    NodeTemperatures low = x, high = x;
+    low[j] -= kStep, high[j] += kStep;
+    const auto below = at_temperatures(design_, low), above = at_temperatures(design_, high);
+    if (!below || !above) continue;
+    const WarmLosses a = values(*below), b = values(*above);
+    for (std::size_t k = 0; k < kSources; ++k) slope[k][j] = (b.p[k] - a.p[k]) / (2 * kStep);
+  }
+  return slope;
+}
+
+std::optional<std::array<Gradient, kSources>> LoadLosses::gradients(
+    const NodeTemperatures& x, bool fixed_static_friction) const {
+  const auto warm = at_temperatures(design_, x);
+  if (!warm) return {};
+  const auto found = differentiate(Motor(*warm), requests(), fixed_static_friction);
+  std::array<Gradient, kSources> gradients{};
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (!is_known(found[k].gradient)) return {};
+    gradients[k] = found[k].gradient;
+  }
+  return gradients;
+}
+
+HeatNetwork network_of(const MotorDesign& design) {
+  if (!design.thermal || !design.thermal->one_node) return heat_network(design);
+  MotorDesign reference = design;
+  reference.thermal->drift = {};
+  const double T = reference_temperature(design);
+  const WarmLosses losses =
+      LoadLosses(reference, {Argument::torque, design.thermal->one_node->torque}).at({T, T, T});
+  if (losses.status != MetricStatus::ok) throw SearchFailure{losses.status};
+  return heat_network(design, {losses.p[0], losses.p[1], losses.p[2], losses.p[3]});
+}
+
+}  // namespace twum::core

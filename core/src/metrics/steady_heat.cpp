@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/steady_heat.hpp>
+
+#include "curve/curve.hpp"
+#include "design/held_traps.hpp"
+#include "metrics/load_losses.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/plate.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum {
+
+using namespace core;
+
+namespace {
+
+constexpr double kStepError = 1e-3;  // of a step in time [K]
+
+HeatLosses losses_of(const Sources<double>& p) { return {p[0], p[1], p[2], p[3]}; }
+
+void require_heat(const MotorDesign& design) {
+  require_motor(design);
+  if (!design.thermal) throw InputError("the motor needs 'thermal' for its temperatures");
+}
+
+// With the statuses of the network's own losses.
+template <typename Answer, typename Ask>
+Answer solved_by(const MotorDesign& design, const LoadPoint& load, Ask ask) {
+  const HeldTraps traps;
+  require_heat(design);
+  MotorDesign kept = design;
+  keep_plate(kept);
+  const LoadLosses losses(kept, load);
+  return ask(HeatSolver({network_of(kept), kept.thermal->ambient,
+                         [&](const NodeTemperatures& x) { return losses.at(x); }}));
+}
+
+SteadyHeat answer_of(const HeatSolver& solver, const SteadyState& steady, bool any_stability) {
+  const MetricStatus status = steady.state.status;
+  const bool unstable = any_stability && status == MetricStatus::thermally_unstable;
+  SteadyHeat heat{status, {}, {}, 0, 0, steady.lost_after};
+  if (status != MetricStatus::ok && !unstable) return heat;
+  heat.temperatures = parts_of(solver.parts(steady.state));
+  heat.losses = losses_of(steady.state.p);
+  heat.gain = steady.gain;
+  heat.time_constant = -1 / steady.slowest;
+  return heat;
+}
+
+}  // namespace
+
+SteadyHeat steady_heat(const MotorDesign& design, const LoadPoint& load) try {
+  return solved_by<SteadyHeat>(design, load, [](const HeatSolver& solver) {
+    return answer_of(solver, solver.from_cold(), false);
+  });
+} catch (const SearchFailure& failure) {
+  return {failure.status, {}, {}, 0, 0, 0};
+}
+
+SteadyHeat steady_heat_near(const MotorDesign& design, const LoadPoint& load,
+                            double temperature) try {
+  return solved_by<SteadyHeat>(design, load, [&](const HeatSolver& solver) {
+    return answer_of(solver, solver.near({temperature, temperature, temperature}), true);
+  });
+} catch (const SearchFailure& failure) {
+  return {failure.status, {}, {}, 0, 0, 0};
+}
+
+std::vector<WarmUpPoint> warm_up(const MotorDesign& design, const LoadPoint& load,
+                                 const std::vector<double>& times) {
+  return solved_by<std::vector<WarmUpPoint>>(design, load, [&](const HeatSolver& solver) {
+    std::vector<WarmUpPoint> points;
+    HeatState state = solver.cold();
+    for (const double time : times) {
+      if (time > state.time) state = solver.advanced(state, time - state.time, kStepError);
+      points.push_back({state.status, state.time, {}, {}});
+      if (state.status != MetricStatus::ok) break;
+      points.back().temperatures = parts_of(solver.parts(state));
+      points.back().losses = losses_of(state.p);
+    }
+    return points;
+  });
+}
+
+}  // namespace twum
