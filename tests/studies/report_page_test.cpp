@@ -103,7 +103,7 @@ TEST_CASE("no text of a study can end the data element of the page", "[studies][
   CHECK(data["study"] == hostile);
   CHECK(data["motor"]["name"] == "elastic-layer");
   CHECK(data["motor"]["design"]["preload"] == 160);
-  CHECK(data["parameters"]["amplitude"]["part"] == "stator");
+  CHECK(data["parameters"]["amplitude"]["entry"] == "stator.amplitude");
   CHECK(data["parameters"]["wavelengths"]["integer"] == true);
   CHECK(data["metrics"]["stall_torque"]["unit"] == "N.m");
   CHECK(data["rows"]["count"] == 0);

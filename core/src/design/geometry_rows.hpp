@@ -50,7 +50,7 @@ constexpr ParameterPlace of_geometry() {
                           const double* number = held<dimension>(d);
                           return number ? *number : kNoValue;
                         },
-                        [](const MotorDesign& d) { return held<dimension>(d) != nullptr; },
+                        nullptr,
                         [](MotorDesign& d, double value) {
                           double* number = held<dimension>(d);
                           if (number) *number = value;
@@ -63,6 +63,7 @@ constexpr ParameterPlace of_geometry() {
 template <D dimension, auto member, auto ceramic>
 constexpr ParameterPlace of_electrodes() {
   return of_geometry<dimension>()
+      .used_if([](const MotorDesign& d) { return held<dimension>(d) != nullptr; })
       .read_by([](const MotorDesign& d) {
         const auto& geometry = d.stator.geometry;
         return geometry ? (geometry->electrodes.*member).value_or(geometry->ceramic.*ceramic)

@@ -16,7 +16,7 @@ namespace twum {
 /// Where a design holds one parameter.
 struct ParameterPlace {
   double (*get)(const MotorDesign&);  ///< as get(); a plate's number of a design without a geometry
-  bool (*in_use)(const MotorDesign&);  ///< as in_use(), likewise
+  bool (*in_use)(const MotorDesign&);  ///< as in_use(), likewise; null: where get() has a value
   bool (*set)(MotorDesign&, double);   ///< removes the alternative; false if its block is missing
   std::optional<PlateNumber> plate{};  ///< what gives it where the design has a geometry
   std::optional<stator::Dimension> dimension{};  ///< of the plate that moves with it

@@ -33,21 +33,34 @@ constexpr auto kRows = [] {
 }();
 static_assert(kRows.size() == kParameterCount, "a parameter has no row");
 
+// A page has the texts besides (parameters_json()), and its core does without them.
 constexpr auto kTable = [] {
   std::array<ParameterInfo, kParameterCount> table{};
-  std::transform(kRows.begin(), kRows.end(), table.begin(),
-                 [](const auto& row) { return row.info; });
+  std::transform(kRows.begin(), kRows.end(), table.begin(), [](const auto& row) {
+    ParameterInfo info = row.info;
+#ifdef TWUM_WITHOUT_TEXTS
+    info.file_entry = info.example = info.text = info.reason = info.fallback = {};
+#endif
+    return info;
+  });
   return table;
+}();
+
+constexpr auto kPlaces = [] {
+  std::array<ParameterPlace, kParameterCount> places{};
+  std::transform(kRows.begin(), kRows.end(), places.begin(),
+                 [](const auto& row) { return row.place; });
+  return places;
 }();
 
 constexpr bool every_parameter_in_its_place() {
   for (std::size_t i = 0; i < kParameterCount; ++i)
-    if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
+    if (index_of(kRows[i].info.parameter) != i || kRows[i].info.reason.empty()) return false;
   return true;
 }
 static_assert(every_parameter_in_its_place(), "the rows have another order than the parameters");
 
-const ParameterPlace& place_of(Parameter parameter) { return kRows[index_of(parameter)].place; }
+const ParameterPlace& place_of(Parameter parameter) { return kPlaces[index_of(parameter)]; }
 
 std::string number(double value) {
   char text[32];
@@ -147,7 +160,8 @@ double get(const MotorDesign& design, Parameter parameter) {
 
 bool in_use(const MotorDesign& design, Parameter parameter) {
   const ParameterPlace& place = place_of(parameter);
-  return !(place.plate && design.stator.geometry) && place.in_use(design);
+  if (place.plate && design.stator.geometry) return false;
+  return place.in_use != nullptr ? place.in_use(design) : !std::isnan(place.get(design));
 }
 
 bool is_given(const MotorDesign& design, Parameter parameter) {

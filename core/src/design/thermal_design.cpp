@@ -99,6 +99,10 @@ std::string of_limits(const MotorDesign& design) {
 
 }  // namespace
 
+Thermal& thermal_of(MotorDesign& design) {
+  return design.thermal ? *design.thermal : design.thermal.emplace();
+}
+
 double reference_temperature(const MotorDesign& design) {
   if (!design.thermal) return kNoValue;
   return design.thermal->reference.value_or(design.thermal->ambient);

@@ -8,6 +8,9 @@
 
 namespace twum {
 
+/// The thermal block, made if it is missing.
+Thermal& thermal_of(MotorDesign& design);
+
 /// T_ref, at which the design's parameters hold [K]; NaN without a thermal block.
 double reference_temperature(const MotorDesign& design);
 

@@ -3,8 +3,8 @@
 
 #include "metrics/load_losses.hpp"
 
-#include <deque>
 #include <functional>
+#include <list>
 #include <optional>
 #include <utility>
 
@@ -120,7 +120,7 @@ class HeatMetrics {
 
   const MotorDesign& design_;
   std::optional<HeatNetwork> network_;
-  std::deque<Known> known_;  // references stay valid
+  std::list<Known> known_;  // references stay valid
 };
 
 }  // namespace twum::core

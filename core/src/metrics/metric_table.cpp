@@ -9,7 +9,7 @@ using A = Argument;
 
 constexpr bool kModes = true, kGeometry = true, kThermal = true, kAbsolute = true;
 
-constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
+constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
     {M::max_torque, "max_torque", "N.m", A::none, "largest torque between rest and no-load speed"},
     {M::holding_torque, "holding_torque", "N.m", A::none,
@@ -133,41 +133,43 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "voltage over the least with which the motor, at its frequency, carries a torque or runs at a "
      "speed, minus 1; at a speed with mu_0 = mu only",
      kModes},
-    {M::stator_loss_at, "stator_loss_at", "W", A::speed_or_torque,
-     "loss in the stator at a speed or torque"},
+    {M::stator_loss_at, "stator_loss_at", "W", A::speed_or_torque, "loss in the stator"},
     {M::dielectric_loss_at, "dielectric_loss_at", "W", A::speed_or_torque,
-     "loss in the blocked capacitances of both phases at a speed or torque", kModes},
+     "loss in the blocked capacitances of both phases", kModes},
     {M::stator_temperature_at, "stator_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the stator at a speed or torque", !kModes, !kGeometry, kThermal,
-     kAbsolute},
+     "steady temperature of the stator", !kModes, !kGeometry, kThermal, kAbsolute},
     {M::rotor_temperature_at, "rotor_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the rotor at a speed or torque", !kModes, !kGeometry, kThermal,
-     kAbsolute},
+     "steady temperature of the rotor", !kModes, !kGeometry, kThermal, kAbsolute},
     {M::housing_temperature_at, "housing_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the housing at a speed or torque", !kModes, !kGeometry, kThermal,
-     kAbsolute},
+     "steady temperature of the housing", !kModes, !kGeometry, kThermal, kAbsolute},
     {M::contact_temperature_at, "contact_temperature_at", "K", A::speed_or_torque,
-     "steady temperature where lining and stator slide, at a speed or torque", !kModes, !kGeometry,
-     kThermal, kAbsolute},
+     "steady temperature where lining and stator slide", !kModes, !kGeometry, kThermal, kAbsolute},
     {M::temperature_margin_at, "temperature_margin_at", "K", A::speed_or_torque,
-     "smallest distance of a steady temperature below its limit at a speed or torque", !kModes,
-     !kGeometry, kThermal},
+     "smallest distance of a steady temperature below its limit", !kModes, !kGeometry, kThermal},
     {M::thermal_gain_at, "thermal_gain_at", "1", A::speed_or_torque,
-     "rise of temperature that a rise of 1 K causes by more losses; unstable from 1 on", !kModes,
-     !kGeometry, kThermal},
+     "rise that a rise of 1 K causes by more losses; unstable from 1 on", !kModes, !kGeometry,
+     kThermal},
     {M::thermal_time_constant, "thermal_time_constant", "s", A::none,
      "slowest time constant of the warm-up under constant losses", !kModes, !kGeometry, kThermal},
     {M::continuous_torque, "continuous_torque", "N.m", A::none,
      "largest torque up to which the motor runs for ever within its limits of temperature", !kModes,
      !kGeometry, kThermal},
     {M::continuous_torque_at, "continuous_torque_at", "N.m", A::speed,
-     "largest torque that the drive, which follows, holds at a speed for ever within the limits of "
-     "temperature",
-     !kModes, !kGeometry, kThermal},
+     "largest torque held at a speed for ever within the limits of temperature", !kModes,
+     !kGeometry, kThermal},
     {M::start_temperature, "start_temperature", "K", A::none,
      "lowest temperature of the whole motor at which it starts by itself", kModes, !kGeometry,
      kThermal, kAbsolute},
 }};
+
+// A page has the texts besides (metrics_json()), and its core does without them.
+constexpr auto kMetricTable = [] {
+  std::array<MetricInfo, kMetricCount> table = kMetricRows;
+#ifdef TWUM_WITHOUT_TEXTS
+  for (MetricInfo& row : table) row.text = {};
+#endif
+  return table;
+}();
 
 constexpr bool every_metric_in_its_place() {
   for (std::size_t i = 0; i < kMetricCount; ++i)

@@ -117,8 +117,8 @@ const circuitUnits = {
 const circuitPath = 'stator.equivalent_circuit.';
 
 /** One number of a motor file in SI. */
-function entryNumber(path, value, unit, tables) {
-  const found = readQuantity(tables, String(value), unit, unit === '1' ? 1 : undefined);
+function entryNumber(path, value, unit, tables, absolute = false) {
+  const found = readQuantity(tables, String(value), unit, unit === '1' ? 1 : undefined, absolute);
   if (found.error) throw new MotorFileError(path + ': ' + String(value).slice(0, 40) + ' ' + found.error);
   return found.value;
 }
@@ -172,7 +172,7 @@ function takeEntry(motor, path, value, tables, byEntry) {
     motor.values[name] = automaticSlices(value);
     return;
   }
-  motor.values[name] = entryNumber(path, value, tables.parameters[name].unit, tables);
+  motor.values[name] = entryNumber(path, value, tables.parameters[name].unit, tables, tables.parameters[name].absolute);
 }
 
 /** Values that a file may leave out and the page needs to name. */

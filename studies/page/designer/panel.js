@@ -353,8 +353,8 @@ export class DesignerPanel {
     for (const name of wanted) {
       const row = (this.rows[name] ??= new ParameterRow(name, this.tables.parameters[name], this));
       row.node.hidden = false;
-      const {part, entry} = this.tables.parameters[name];
-      (parts[entry.startsWith('stator.geometry') ? 'geometry' : part] ??= []).push(row.node);
+      const {entry} = this.tables.parameters[name];
+      (parts[entry.startsWith('stator.geometry') ? 'geometry' : entry.split('.')[0]] ??= []).push(row.node);
     }
     this.sliders.replaceChildren(...Object.entries(parts).map(
         ([part, nodes]) =>

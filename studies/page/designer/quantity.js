@@ -27,15 +27,16 @@ export function unitFactors(tables, unit) {
 }
 
 /**
- * Reads "1.6 um", or a bare number in the unit shown beside the field.
+ * Reads "1.6 um", or a bare number in the unit shown beside the field. An absolute temperature may stand in degC.
  * @returns {{value: number, error: string}} SI; the error is empty, or says what would be right
  */
-export function readQuantity(tables, text, unit, bare) {
+export function readQuantity(tables, text, unit, bare, absolute = false) {
   const found = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/s.exec(text);
   const factors = unitFactors(tables, unit);
   if (!found)
     return {value: NaN, error: 'is not a number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit)};
   const typed = plainUnit(found[2]);
+  if (absolute && (typed === 'degC' || typed === '°C')) return {value: Number(found[1].replace(',', '.')) + 273.15, error: ''};
   const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factors[typed];
   if (factor === undefined)
     return {

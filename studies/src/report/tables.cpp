@@ -19,9 +19,9 @@ namespace {
 // Units that a page shows besides those of its tables.
 constexpr const char* kShownUnits[] = {"1", "%", "rad/s", "m/s", "Hz", "1/s", "ohm", "H"};
 // Further units offered to users, besides those shown; each is tried for every dimension.
-constexpr const char* kOtherUnits[] = {"rpm",    "deg",    "cm",     "in",  "lbf",    "bar",
-                                       "psi",    "kgf.cm", "ozf.in", "%",   "g/cm^3", "W/cm^2",
-                                       "W/mm^2", "N/mm^2", "N.mm",   "pC/N"};
+constexpr const char* kOtherUnits[] = {
+    "rpm",    "deg",    "cm",     "in",     "lbf",  "bar",  "psi", "kgf.cm", "ozf.in", "%",
+    "g/cm^3", "W/cm^2", "W/mm^2", "N/mm^2", "N.mm", "pC/N", "%/K", "ppm/K",  "min",    "h"};
 
 void add_unit(Json& units, const std::string& text, std::string_view si_unit) {
   try {
@@ -71,15 +71,6 @@ const char* argument_word(Argument argument) {
   return "none";
 }
 
-// The example of the table in SI; 0 for a word such as `auto`.
-double typical(const ParameterInfo& row) {
-  try {
-    return parse_quantity(row.example, {row.unit, row.example, row.absolute});
-  } catch (const ValueError&) {
-    return 0;
-  }
-}
-
 const char* word_of(stator::InnerEdge edge) {
   switch (edge) {
     case stator::InnerEdge::free: return "free";
@@ -109,15 +100,14 @@ Json parameters_json() {
   Json json = Json::object();
   for (const ParameterInfo& row : parameter_table())
     json[std::string(row.name)] = only_true(
-        {{"symbol", row.symbol},
+        {{"symbol", row.symbol.empty() ? Json(nullptr) : Json(row.symbol)},
          {"unit", row.unit},
          {"text", row.text},
          {"integer", row.integer},
-         {"part", row.file_entry.substr(0, row.file_entry.find('.'))},
+         {"absolute", row.absolute},
          {"entry", row.file_entry},
          {"min", row.min},
          {"max", row.max},
-         {"typical", typical(row)},
          {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
          {"alternative",
           row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}});

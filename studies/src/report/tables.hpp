@@ -10,8 +10,8 @@
 /// Tables of parameters, metrics, units and materials for pages; internal.
 namespace twum::studies {
 
-/// {name: {"symbol", "unit", "text", "integer", "part", "entry": in the motor file, "min", "max", "typical": the example
-/// of the table [SI], "required": in a motor file, "alternative": the parameter that may be given instead, or null}}
+/// {name: {"symbol", "unit", "text", "integer", "absolute", "entry": in the motor file, "min", "max" [SI],
+/// "required": in a motor file, "alternative": the parameter that may be given instead, or null}}
 Json parameters_json();
 
 /// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "share": shown in per cent,
