@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/standings.hpp"
+
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/motors/motor_file.hpp>
 #include <twum/optim/solve.hpp>
 #include <twum/studies/motor_problem.hpp>
+#include <twum/studies/run_options.hpp>
 
 #include "support/motor_files.hpp"
 
@@ -67,4 +70,44 @@ TEST_CASE("a search that starts where the motor does not run ends where another 
   REQUIRE(from_below.outcome == optim::Outcome::optimal);
   // Both are certified; a search ends within 1e-6 of its optimum.
   CHECK(from_below.evaluation.values[0] == Approx(from_above.evaluation.values[0]).epsilon(1e-5));
+}
+
+TEST_CASE("an answer tells the voltage reserve that the metric has, not the search's stand-in for it (Y5.4)",
+          "[studies][held]") {
+  DesignProblem problem = problem_of(120);
+  problem.variables.resize(1);  // the voltage
+  problem.variables.front().min = 60;
+  problem.limits.clear();
+  OptimizeStudy asked;
+  asked.variables = problem.variables;
+  asked.objective = problem.objectives.front();
+  asked.solver.starts = 1;
+  const StudyResult result = run_study({.motor = {"drive-60", problem.motor}, .asked = asked});
+  const DesignReport& best = std::get<OptimizeResult>(result.answer).best;
+  const MotorDesign motor = with(problem.motor, Parameter::voltage, best.design.front().value);
+  bool told = false;
+  for (const LimitState& state : best.constraints) {
+    if (state.metric != "voltage_reserve_at(0.4 N.m)") continue;
+    told = true;
+    const MetricValue value =
+        evaluate(Motor(motor), {Metric::voltage_reserve_at, Argument::torque, 0.4});
+    REQUIRE(value.status == MetricStatus::ok);
+    CHECK(state.value == Approx(value.value).epsilon(1e-12));  // the same sums
+    CHECK(state.implied);
+    CHECK(state.violation == 0);
+  }
+  CHECK(told);
+}
+
+TEST_CASE("a limit without a value that no motor breaks is not known, and one that a motor lacks is out of reach",
+          "[studies][held]") {
+  DesignReport report;
+  LimitState state{"voltage_reserve_at(60 rpm) >= 0.002", "voltage_reserve_at(60 rpm)", "1"};
+  state.at_least = state.implied = true;
+  state.lower = state.limit = 0.002;
+  state.value = std::nan("");
+  report.constraints = {state};
+  CHECK(standings_json(report, {{"peak_power", "W", true}})[0]["state"] == "unknown");
+  report.constraints[0].violation = std::nan("");
+  CHECK(standings_json(report, {{"peak_power", "W", true}})[0]["state"] == "unreachable");
 }
