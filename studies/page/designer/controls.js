@@ -110,7 +110,8 @@ export class ParameterRow {
       this.panel.setValue(this.name, slices);
       return;
     }
-    const found = readQuantity(this.panel.tables, this.number.value, this.row.unit, this.shown.divisor, this.row.absolute);
+    const found =
+        readQuantity(this.panel.tables, this.number.value, this.row.unit, this.shown.divisor, this.row.absolute);
     if (found.error) {
       this.say(this.number.value.slice(0, 30) + ' ' + found.error);
       return;

@@ -36,7 +36,8 @@ export function readQuantity(tables, text, unit, bare, absolute = false) {
   if (!found)
     return {value: NaN, error: 'is not a number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit)};
   const typed = plainUnit(found[2]);
-  if (absolute && (typed === 'degC' || typed === '°C')) return {value: Number(found[1].replace(',', '.')) + 273.15, error: ''};
+  if (absolute && (typed === 'degC' || typed === '°C'))
+    return {value: Number(found[1].replace(',', '.')) + 273.15, error: ''};
   const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factors[typed];
   if (factor === undefined)
     return {
