@@ -186,11 +186,13 @@ Derived Differentiator::sized(const ModelDual& dual) {
 }
 
 Smoothness Differentiator::of_point(double speed) {
-  if (const auto kept = smoothness_.find(speed); kept != smoothness_.end()) return kept->second;
+  if (const auto kept = smoothness_places_.find(speed); kept != smoothness_places_.end())
+    return smoothness_[kept->second];
   const Smoothness found =
       worse(smoothness_of(values_.motor_at(speed), values_.point(speed), speed),
             of_normal_contact(values_.motor_at(speed)));
-  return smoothness_.emplace(speed, found).first->second;
+  smoothness_places_.emplace(speed, smoothness_.size());
+  return smoothness_.emplace_back(found);
 }
 
 template <typename T>
@@ -202,17 +204,20 @@ WaveMotion<T> Differentiator::wave_motion(const DrivenMotor<Dual<T, kDirections>
 }
 
 const Differentiator::Moving& Differentiator::moving(double speed) {
-  if (const auto kept = duals_.find(speed); kept != duals_.end()) return kept->second;
+  if (const auto place = dual_places_.find(speed); place != dual_places_.end())
+    return duals_[place->second];
   const SolvedPoint& point = values_.point(speed);
   const ModelDual omega = speed_variable<ModelDual>(speed);
+  const auto kept = [&](Moving moving) -> const Moving& {
+    dual_places_.emplace(speed, duals_.size());
+    return duals_.emplace_back(std::move(moving));
+  };
   if (!MotorParts::drive(values_.motor()))
-    return duals_.emplace(speed, Moving{&model_, point.differentiated(model_, omega), {}})
-        .first->second;
+    return kept({&model_, point.differentiated(model_, omega), {}});
   const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
       differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
   const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
-  const WavePoint<DesignDual> wave = wave_point(motor, n, omega);
-  return duals_.emplace(speed, Moving{&motor, n, wave_motion<double>(motor, wave)}).first->second;
+  return kept({&motor, n, wave_motion<double>(motor, wave_point(motor, n, omega))});
 }
 
 DesignDual Differentiator::held(const ModelDual& dual, double speed) {

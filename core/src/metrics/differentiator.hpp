@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -124,9 +124,11 @@ class Differentiator {
   std::optional<DrivenMotor<ModelDual2>> model2_;
   std::vector<std::pair<Metric, Derived>> peak_speeds_;  // of smooth peaks
   // References stay valid.
-  std::unordered_map<double, Moving> duals_;  // by speed
+  std::deque<Moving> duals_;
+  std::map<double, std::size_t> dual_places_;  // of a speed among them
   std::deque<DrivenMotor<ModelDual>> motors_;
-  std::unordered_map<double, Smoothness> smoothness_;  // likewise
+  std::vector<Smoothness> smoothness_;
+  std::map<double, std::size_t> smoothness_places_;  // likewise
 };
 
 }  // namespace twum::core

@@ -129,7 +129,7 @@ double Evaluator::speed_of_peak(Metric metric, const Peak& peak) {
 }
 
 const Evaluator::Known& Evaluator::known(double speed) {
-  if (const auto kept = points_.find(speed); kept != points_.end()) return kept->second;
+  if (const auto kept = places_.find(speed); kept != places_.end()) return points_[kept->second];
   const DrivenMotor<double>* motor = &m_;
   SolvedPoint solved;
   if (MotorParts::drive(motor_)) {
@@ -140,7 +140,8 @@ const Evaluator::Known& Evaluator::known(double speed) {
     solved = solve_point(m_, speed);
   }
   if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
-  return points_.emplace(speed, Known{motor, std::move(solved)}).first->second;
+  places_.emplace(speed, points_.size());
+  return points_.emplace_back(Known{motor, std::move(solved)});
 }
 
 // An efficiency needs an input power that is more than rounding.

@@ -5,9 +5,9 @@
 #include "metrics/metric_rows.hpp"
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace twum::core {
@@ -90,7 +90,8 @@ class Evaluator {
   CurveSearch search_;
   std::optional<Thresholds> thresholds_;
   // References stay valid.
-  std::unordered_map<double, Known> points_;  // by speed
+  std::deque<Known> points_;
+  std::map<double, std::size_t> places_;  // of a speed among them
   std::deque<DrivenMotor<double>> motors_;
 };
 
