@@ -29,6 +29,7 @@ FOLDERS = {
 FOLDER_OF_HEADER = {
     "twum/optim/options.hpp": "problem",
     "twum/studies/telling.hpp": "telling",
+    "twum/optim/estimate.hpp": "sampling",
     "twum/optim/robust.hpp": "robust",
     "twum/optim/robust_problem.hpp": "robust",
     "twum/io/column.hpp": "store",

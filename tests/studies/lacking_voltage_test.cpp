@@ -72,8 +72,10 @@ TEST_CASE("a search that starts where the motor does not run ends where another 
   CHECK(from_below.evaluation.values[0] == Approx(from_above.evaluation.values[0]).epsilon(1e-5));
 }
 
-TEST_CASE("an answer tells the voltage reserve that the metric has, not the search's stand-in for it (Y5.4)",
-          "[studies][held]") {
+TEST_CASE(
+    "an answer tells the voltage reserve that the metric has, not the search's stand-in for it "
+    "(Y5.4)",
+    "[studies][held]") {
   DesignProblem problem = problem_of(120);
   problem.variables.resize(1);  // the voltage
   problem.variables.front().min = 60;
@@ -99,8 +101,10 @@ TEST_CASE("an answer tells the voltage reserve that the metric has, not the sear
   CHECK(told);
 }
 
-TEST_CASE("a limit without a value that no motor breaks is not known, and one that a motor lacks is out of reach",
-          "[studies][held]") {
+TEST_CASE(
+    "a limit without a value that no motor breaks is not known, and one that a motor lacks is out "
+    "of reach",
+    "[studies][held]") {
   DesignReport report;
   LimitState state{"voltage_reserve_at(60 rpm) >= 0.002", "voltage_reserve_at(60 rpm)", "1"};
   state.at_least = state.implied = true;

@@ -88,7 +88,8 @@ Matrices element_matrices(const Mesh& mesh, const Element& element,
     motions.middleRows<3>(3 * q) = motion;
     momenta.middleRows<3>(3 * q) = at.weight * inertia.asDiagonal() * motion;
   }
-  return {strains.transpose() * stresses, motions.transpose() * momenta};
+  // A blocked product takes more code than matrices of this size are worth.
+  return {strains.transpose().lazyProduct(stresses), motions.transpose().lazyProduct(momenta)};
 }
 
 Matrices assembled(const Mesh& mesh, const std::vector<Segment>& segments) {

@@ -16,7 +16,9 @@
 #include <twum/optim/certificate.hpp>
 #include <twum/optim/certify.hpp>
 #include <twum/optim/check_derivatives.hpp>
+#include <twum/optim/correlation.hpp>
 #include <twum/optim/distributions.hpp>
+#include <twum/optim/estimate.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>
 #include <twum/optim/group_deviations.hpp>
@@ -40,6 +42,8 @@
 #include <twum/optim/robust.hpp>
 #include <twum/optim/robust_front.hpp>
 #include <twum/optim/robust_problem.hpp>
+#include <twum/optim/sample_moments.hpp>
+#include <twum/optim/sample_quantiles.hpp>
 #include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
 #include <twum/optim/solve.hpp>

@@ -196,7 +196,8 @@ void add_duty_rows(Table& table, const MapResult& answer, std::span<const char* 
   for (const Member& member : answer.members)
     for (const MapResult::Duty& duty : member.duty) {
       std::vector<Phrase> row{member_phrase(answer, member), point_phrase(duty.at)};
-      if (first) row.insert(row.end(), {reason_phrase(duty), {value_part(duty.torque_left, "N.m")}});
+      if (first)
+        row.insert(row.end(), {reason_phrase(duty), {value_part(duty.torque_left, "N.m")}});
       for (const std::size_t place : places)
         row.push_back({column_part(answer.columns[place], duty.at.values[place])});
       table.rows.push_back(std::move(row));

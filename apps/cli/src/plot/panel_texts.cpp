@@ -10,6 +10,8 @@ namespace {
 
 // Size of the letters [points of the page].
 constexpr double kLetterWidth = 6.9, kLetterHeight = 14;
+// Room about a text on a line, as letters are reckoned roughly.
+constexpr double kMargin = 5;
 
 // Direction from a point to its text.
 struct Side {
@@ -109,7 +111,9 @@ std::string marks_text(const Scaled& s) {
     script += label_text(mark, s, side);
   }
   for (const PointMark& mark : s.panel.marks) {
-    const Box box = box_of(mark, s, {0, 0});
+    const Box text = box_of(mark, s, {0, 0});
+    const Box box{text.left - kMargin, text.right + kMargin, text.low - kMargin,
+                  text.high + kMargin};
     if (mark.dot || is_outside(box, s) || meets_any(box, taken)) continue;
     taken.push_back(box);
     script += label_text(mark, s, {0, 0});

@@ -29,6 +29,7 @@ class Correlation {
   static std::optional<std::size_t> wrong_pair(std::size_t inputs,
                                                std::span<const CorrelatedPair> pairs);
 
+  /// Whether no pair was given.
   bool independent() const noexcept { return factor_.empty(); }
   /// y = L z.
   std::vector<double> correlated(std::vector<double> z) const;

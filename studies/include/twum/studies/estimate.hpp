@@ -8,6 +8,7 @@
 /// Estimates from samples, which searches under tolerances need too.
 namespace twum::studies {
 
+/// As in results.
 using Estimate = optim::IntervalEstimate;
 using optim::Moments;
 using optim::proportion_estimate;

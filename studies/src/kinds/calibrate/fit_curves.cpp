@@ -59,10 +59,11 @@ class Curves {
 
   std::vector<FitCurve> all() const {
     std::vector<FitCurve> curves;
-    std::map<std::pair<std::string, Argument>, std::optional<NamedValue>> axes;
+    std::map<std::pair<std::string, int>, std::optional<NamedValue>> axes;
     for (std::size_t i = 0; i < result_.data.size(); ++i) {
       const CalibrateResult::Point& point = result_.data[i];
-      const auto [known, fresh] = axes.try_emplace({point.quantity, point.argument});
+      const auto [known, fresh] =
+          axes.try_emplace({point.quantity, static_cast<int>(point.argument)});
       if (fresh) known->second = axis_of(result_.data, point);
       sort_in(i, known->second, curves);
     }

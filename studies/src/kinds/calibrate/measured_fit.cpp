@@ -80,8 +80,9 @@ class MeasuredFit::Sorter {
 
   std::size_t condition_of(const MeasuredPoint& point) {
     std::vector<std::size_t> places = fit_.places_in(point.table);
-    const auto [known, fresh] =
-        conditions_.try_emplace({point.set, places}, fit_.conditions_.size());
+    std::vector<double> key(places.begin(), places.end());
+    for (const double number : plain_numbers(point.set)) key.push_back(number);
+    const auto [known, fresh] = conditions_.try_emplace(std::move(key), fit_.conditions_.size());
     if (!fresh) return known->second;
     VariedParameters varied(with(fit_.motor_, point.set), fit_.parameters_at(places), derived_);
     fit_.conditions_.push_back({std::move(places), std::move(varied), {}, {}});
@@ -93,10 +94,18 @@ class MeasuredFit::Sorter {
 
   MeasuredFit& fit_;
   const std::vector<DerivedParameter>& derived_;
-  std::map<std::pair<std::vector<ParameterValue>, std::vector<std::size_t>>, std::size_t>
-      conditions_;
+  std::map<std::vector<double>, std::size_t> conditions_;  // by places and set
   std::map<std::pair<std::size_t, Place>, std::size_t> readings_;
 };
+
+std::vector<double> plain_numbers(const std::vector<ParameterValue>& set) {
+  std::vector<double> numbers{-1};  // no place has this number
+  for (const auto& [parameter, value] : set) {
+    numbers.push_back(static_cast<double>(index_of(parameter)));
+    numbers.push_back(value);
+  }
+  return numbers;
+}
 
 MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> parameters,
                          std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)

@@ -37,6 +37,10 @@ struct FitParameter : DesignVariable {
   double between(double a, double b, double share) const;
 };
 
+/// A set of values as numbers that tell it from others. Keys of containers are made of these: a template of the standard library with
+/// a type of ours is visible in each program that links the library.
+std::vector<double> plain_numbers(const std::vector<ParameterValue>& set);
+
 /// The residuals of a calibration: computed minus measured values, times the root of the point's weight (L1.1). They
 /// are in the unit of the points if all are of one kind, else in standard deviations. Quantities that the bench sets,
 /// such as a speed, are taken as exact; readings have errors. Immutable and thread-safe.

@@ -207,7 +207,7 @@ class Planner {
   // Settings of the data for the free stator, which no preload or voltage changes; each with its frequency.
   std::vector<std::vector<ParameterValue>> frequencies(const MeasuredPoint& like) const {
     std::vector<std::vector<ParameterValue>> list;
-    std::set<std::vector<ParameterValue>> known;
+    std::set<std::vector<double>> known;
     for (const MeasuredPoint& point : fit_.points()) {
       if (!std::holds_alternative<CircuitPart>(point.reading) || !same_motor(point, like)) continue;
       std::vector<ParameterValue> set = point.set;
@@ -216,7 +216,7 @@ class Planner {
       });
       if (!given && !fit_.sets(Parameter::frequency))
         set.emplace_back(Parameter::frequency, get(fit_.motor(), Parameter::frequency));
-      if (known.insert(set).second) list.push_back(std::move(set));
+      if (known.insert(plain_numbers(set)).second) list.push_back(std::move(set));
     }
     return list;
   }

@@ -64,6 +64,7 @@ enum class OtherModes { none, found };
 /// share what was found. Arguments, exceptions and derivatives are those of stator_model().
 class SolvedStator {
  public:
+  /// Finds the wave.
   SolvedStator(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                PlateTheory theory = PlateTheory::mindlin, std::span<const double> offsets = {});
 
