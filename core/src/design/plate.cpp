@@ -18,7 +18,8 @@ using stator::Derivatives;
 using stator::OtherModes;
 using stator::StatorModel;
 
-struct SolvedPlate::Known {
+// Hidden: templates of the standard library with its functions are otherwise visible in each program that links the library.
+struct [[gnu::visibility("hidden")]] SolvedPlate::Known {
   /// Everything that determines the numbers of a plate.
   struct Input {
     stator::StatorGeometry geometry;
@@ -32,7 +33,16 @@ struct SolvedPlate::Known {
    public:
     template <typename Make>
     const T& get(Make make) const {
-      std::call_once(asked_, [&] { value_.emplace(make()); });
+      struct Call {
+        const Lazy* self;
+        Make* make;
+      } call{this, &make};
+      // By a plain function: a template of the standard library for a type of ours is visible in programs.
+      void (*const run)(void*) = [](void* at) {
+        const Call& one = *static_cast<Call*>(at);
+        one.self->value_.emplace((*one.make)());
+      };
+      std::call_once(asked_, run, static_cast<void*>(&call));
       return *value_;
     }
 

@@ -92,7 +92,8 @@ void check_track(const StatorPlate<double>& plate, double contact_radius,
 }  // namespace
 
 // The modes that were solved, and those beside the wave once they are needed.
-struct SolvedStator::Modes {
+// Hidden, as are then templates of the standard library with its functions.
+struct [[gnu::visibility("hidden")]] SolvedStator::Modes {
   StatorGeometry geometry;
   int wavelengths;
   double contact_radius;
@@ -117,7 +118,11 @@ struct SolvedStator::Modes {
     }
   };
   const All& all() const {
-    std::call_once(beside_asked, [&] { beside = solved_beside(); });
+    void (*const run)(const void*) = [](const void* at) {
+      const Modes& self = *static_cast<const Modes*>(at);
+      self.beside = self.solved_beside();
+    };
+    std::call_once(beside_asked, run, static_cast<const void*>(this));
     return *beside;
   }
 

@@ -91,7 +91,7 @@ Shape<MapStudy> MapStudy::shape() {
       "efficiency, power, current and losses over speed and torque, of one motor or of a family "
       "over one parameter",
       {kind_field<M>(),
-       optional<M>("family", shapes::family("voltage: [80 V, 100 V, 120 V]"), &M::family,
+       optional<M>("family", shapes::family("preload: [120 N, 160 N, 200 N]"), &M::family,
                    "the motor alone"),
        optional<M>("torque", io::quantity("largest torque of the map", "N.m", "1 N.m"), &M::torque,
                    "the largest that the drive holds"),

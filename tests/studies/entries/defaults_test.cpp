@@ -24,6 +24,7 @@ std::vector<std::string> shortest_studies() {
   std::vector<std::string> studies{
       "{kind: curve}",
       "{kind: frequency}",
+      "{kind: map}",
       "{kind: optimize, maximize: peak_power, " + range + "}",
       "{kind: pareto, objectives: [{maximize: peak_power}, {minimize: preload}], " + range + "}",
       "{kind: size, duty: [{torque: 0.5 N.m, speed: 100 rpm}], " + range + "}",

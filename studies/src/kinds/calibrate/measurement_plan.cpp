@@ -198,9 +198,11 @@ class Planner {
       for (const double factor : {0.75, 1.25})
         list.push_back({{parameter, factor * get(fit_.motor(), parameter)}});
     }
-    std::set known(list.begin(), list.end());
+    std::set<std::vector<double>> known;
+    for (const std::vector<ParameterValue>& set : list) known.insert(plain_numbers(set));
     for (const MeasuredPoint& point : fit_.points())
-      if (same_motor(point, like) && known.insert(point.set).second) list.push_back(point.set);
+      if (same_motor(point, like) && known.insert(plain_numbers(point.set)).second)
+        list.push_back(point.set);
     return list;
   }
 
