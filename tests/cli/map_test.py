@@ -48,7 +48,9 @@ class Map(program.Case):
                 (("--speed", "1 N.m"), "--speed"),
                 (("--duty", "1 N.m"), "--duty: '1 N.m'; expected a torque and a speed"),
                 (("--duty", "1 N.m, 0 rpm"), "--duty"),
-                (("--quantity", "stall_torque"), "--quantity")):
+                (("--quantity", "stall_torque"), "--quantity"),
+                (("--quantity", "stator_temperature_at"), "--quantity: stator_temperature_at has no value for this motor"),
+                (("--set", "voltage=0 V"), "--speed: the drive holds no speed without load")):
             self.assertIn(expected, self.refused("map", DRIVE, *options))
 
 

@@ -129,16 +129,50 @@ TEST_CASE("a duty of a map says what would do where it is not held", "[studies][
         "It holds 1 of 3 duty points.");
 }
 
+TEST_CASE("a map on which the drive holds no load says so, not that its best efficiency is nothing",
+          "[studies][map]") {
+  // The least torque of the map beyond 0 is half of a million newton metres.
+  const StudyResult result = mapped({.torque = 1e6, .points = {3, 3}});
+  CHECK(result.outcome == "done");
+  const telling::Headline told = telling::headline(result);
+  CHECK(told.look == telling::Headline::Look::bad);
+  CHECK(telling::written(told.sentences[0], telling::Writing::typed) ==
+        "The drive holds no load at the points of the map.");
+}
+
+TEST_CASE("a duty that only a controller holds says so", "[studies][map]") {
+  // A drive that follows by voltage holds its speed below the resonance, too; what stays there is told by the point itself.
+  MapResult answer;
+  answer.columns = {{"efficiency", "1"}, {"held_by_control_only", "1"}};
+  answer.speeds = answer.torques = 2, answer.speed = answer.torque = 1;
+  MapResult::Member member;
+  member.largest_speed = 1;
+  for (const double speed : {0.5, 1.0}) {
+    for (const double torque : {0.0, 1.0}) member.points.push_back({speed, torque, "ok", {0.3, 0}});
+    member.envelope.push_back({speed, 1, {0.3, 0}});
+  }
+  for (const double controlled : {0.0, 1.0})
+    member.duty.push_back({{0.5, 0.5, "ok", {0.3, controlled}}, std::nan(""), "", 0.5});
+  answer.members = {member};
+  StudyResult result;
+  result.answer = answer;
+  const std::vector<telling::Section> sections = telling::sections(result);
+  const telling::Table& table = sections.at(1).tables.at(0);
+  CHECK(telling::written(table.rows[0][2], telling::Writing::typed) == "held");
+  CHECK(telling::written(table.rows[1][2], telling::Writing::typed) ==
+        "held by the control only: a drive that stays would lose it");
+}
+
 TEST_CASE("a quantity that is no column of a map becomes one", "[studies][map]") {
   const MotorDesign design = test::driven_motor();
   const MapResult map =
       map_of(mapped({.points = {3, 3}, .quantity = Metric::max_pressure_at}, design));
-  CHECK(map.columns[map.shown].name == "max_pressure_at");
+  CHECK(map.columns[map.shown].name == "max_pressure");
   const MapResult::Point& point = map.members[0].points[1];
   REQUIRE(point.status == "ok");
   // The indentation at the crest under a wave is that of the preload at its amplitude.
   const Motor wave(with(design, Parameter::amplitude, value(map, point, "amplitude")));
-  CHECK(value(map, point, "max_pressure_at") ==
+  CHECK(value(map, point, "max_pressure") ==
         Approx(evaluate(wave, {Metric::max_pressure, Argument::none, 0}).value).epsilon(1e-9));
   CHECK(
       map_of(mapped({.points = {3, 3}, .quantity = Metric::electrical_power_at})).columns.size() ==
@@ -149,6 +183,8 @@ TEST_CASE("wrong maps are refused with place and remedy", "[studies][map]") {
   CHECK(error_of("  points: 60\n").find("such as 60x40") != std::string::npos);
   CHECK(error_of("  points: 1x40\n").find("each 2 to 1000") != std::string::npos);
   CHECK(error_of("  points: 60x4000\n").find("each 2 to 1000") != std::string::npos);
+  const std::string infinite = error_of("  speed: .inf\n");  // told once
+  CHECK(infinite.find("study.speed") == infinite.rfind("study.speed"));
   CHECK(error_of("  torque: 0 N.m\n").find("more than 0") != std::string::npos);
   CHECK(error_of("  speed: -3 rpm\n").find("more than 0") != std::string::npos);
   CHECK(error_of("  quantity: stall_torque\n").find("quantity") != std::string::npos);
@@ -186,6 +222,7 @@ TEST_CASE("contour lines of a cone are its circles, and those of a plane are str
 
 TEST_CASE("levels are round and contain the values", "[studies][map][contours]") {
   CHECK(telling::round_levels({3, 3}).empty());
+  CHECK(telling::round_levels({120, 120 + 1e-10}).empty());  // one value but for rounding
   CHECK(telling::round_levels({std::nan("")}).empty());
   const std::vector<double> levels = telling::round_levels({0.013, 0.46, std::nan("")});
   CHECK(levels.front() == 0);

@@ -106,8 +106,8 @@ TEST_CASE("a distribution beyond the admissible range says by how much",
   result.start = "../size";
   result.inadmissible = {{"preload", 0.0123}};
   CHECK_THAT(sections_text(result),
-             Contains("\n1.23 % of the distribution of preload is not "
-                      "admissible: such motors have no value and keep no limit.\n"));
+             Contains("\n1.23 % of the distribution of preload lies "
+                      "where no motor can be; such motors have no value and break every limit.\n"));
   CHECK(answer_json(result)["inadmissible"] == Json{{"preload", 0.0123}});
   CHECK(answer_json(result)["start"] == "../size");
 }

@@ -9,9 +9,6 @@
 namespace twum::core {
 namespace {
 
-// Parts whose temperatures parameters follow, in the order of ThermalNode.
-constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
-
 constexpr double kSettled =
     1e-5;  // a step of Newton's method; the next would be its square times the bend, 1e-13 K
 constexpr int kMostSteps = 20;

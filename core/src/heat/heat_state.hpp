@@ -10,6 +10,9 @@
 
 namespace twum::core {
 
+/// Parts whose temperatures parameters follow, in the order of ThermalNode.
+inline constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
+
 /// Losses of a motor at temperatures of its nodes, and their derivatives by these.
 struct WarmLosses {
   MetricStatus status{MetricStatus::ok};

@@ -168,9 +168,7 @@ MetricDerivative HeatMetrics::of_parts(const MetricRequest& request, const Metri
   if (request.metric == M::temperature_margin_at) return of_margin(at, value, fixed);
   const auto moved = moves(at, fixed);
   if (!moved) return no_derivative(value);
-  const auto part =
-      static_cast<std::size_t>(request.metric) - static_cast<std::size_t>(M::stator_temperature_at);
-  return {value, moved->parts[part], Smoothness::smooth};
+  return {value, moved->parts[*part_of(request.metric)], Smoothness::smooth};
 }
 
 // dX/dq = X_q + X_x dx/dq

@@ -18,7 +18,12 @@ using P = Parameter;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// The part whose temperature a metric is.
+LoadPoint load_of(const MetricRequest& request) {
+  return {request.argument, request.at, request.torque};
+}
+
+}  // namespace
+
 std::optional<std::size_t> part_of(M metric) {
   switch (metric) {
     case M::stator_temperature_at: return 0;
@@ -28,12 +33,6 @@ std::optional<std::size_t> part_of(M metric) {
     default: return {};
   }
 }
-
-LoadPoint load_of(const MetricRequest& request) {
-  return {request.argument, request.at, request.torque};
-}
-
-}  // namespace
 
 const HeatNetwork& HeatMetrics::network() {
   if (!network_) network_ = network_of(design_);

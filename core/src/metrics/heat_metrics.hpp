@@ -10,34 +10,18 @@
 
 namespace twum::core {
 
-/// Parts whose temperatures parameters follow, in the order of ThermalNode.
-inline constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
 /// Parts with a limit, which are the first, and their limits.
 inline constexpr std::array kTemperatureLimits{
     Parameter::stator_temperature_limit, Parameter::rotor_temperature_limit,
     Parameter::housing_temperature_limit, Parameter::contact_temperature_limit};
 
-/// True for metrics of the motor's temperatures.
-constexpr bool is_heat_metric(Metric metric) {
-  switch (metric) {
-    case Metric::stator_temperature_at:
-    case Metric::rotor_temperature_at:
-    case Metric::housing_temperature_at:
-    case Metric::contact_temperature_at:
-    case Metric::temperature_margin_at:
-    case Metric::thermal_gain_at:
-    case Metric::thermal_time_constant:
-    case Metric::continuous_torque:
-    case Metric::continuous_torque_at:
-    case Metric::start_temperature: return true;
-    default: return false;
-  }
+/// True for what HeatMetrics answers: metrics of the motor's temperatures, and any metric of the warm motor.
+inline bool is_heat(const MetricRequest& request) {
+  return request.warm_at || info(request.metric).needs_thermal;
 }
 
-/// True for what HeatMetrics answers: those, and any metric of the warm motor.
-inline bool is_heat(const MetricRequest& request) {
-  return request.warm_at || is_heat_metric(request.metric);
-}
+/// The part whose temperature a metric is.
+std::optional<std::size_t> part_of(Metric metric);
 
 /// Metrics of the motor's temperatures, and those of the motor at its steady temperatures (H6.1). A steady state that several need
 /// is found once.

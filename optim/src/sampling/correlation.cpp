@@ -2,43 +2,56 @@
 #include <twum/base/error.hpp>
 #include <twum/optim/correlation.hpp>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 namespace twum::optim {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
 // What is left of the variance of an input whose others are given. Less would make its number follow from theirs.
 constexpr double kLeast = 1e-10;
 
-struct Factor {
-  std::vector<double> rows;  // L, row by row
-  std::size_t failed;        // the first row that cannot be; the number of rows if there is none
-};
-
-Factor factor_of(std::size_t n, std::vector<double> matrix) {
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double rest = matrix[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) rest -= matrix[i * n + k] * matrix[j * n + k];
-      if (i == j && !(rest > kLeast)) return {{}, i};
-      matrix[i * n + j] = i == j ? std::sqrt(rest) : rest / matrix[j * n + j];
-    }
-  return {std::move(matrix), n};
+MatrixXd matrix_of(std::size_t inputs, std::span<const CorrelatedPair> pairs) {
+  MatrixXd matrix = MatrixXd::Identity(static_cast<Index>(inputs), static_cast<Index>(inputs));
+  for (const CorrelatedPair& pair : pairs) {
+    const auto a = static_cast<Index>(pair.a), b = static_cast<Index>(pair.b);
+    matrix(a, b) = matrix(b, a) = pair.coefficient;
+  }
+  return matrix;
 }
 
-std::vector<double> matrix_of(std::size_t n, std::span<const CorrelatedPair> pairs) {
-  std::vector<double> matrix(n * n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
-  for (const CorrelatedPair& pair : pairs)
-    matrix[pair.a * n + pair.b] = matrix[pair.b * n + pair.a] = pair.coefficient;
-  return matrix;
+// The first input whose number the others would determine or contradict; the number of inputs if there is none.
+std::size_t first_impossible(const MatrixXd& matrix) {
+  for (Index k = 0; k < matrix.rows(); ++k) {
+    const Eigen::LLT<MatrixXd> part(matrix.topLeftCorner(k + 1, k + 1));
+    const bool possible =
+        part.info() == Eigen::Success && part.matrixLLT()(k, k) * part.matrixLLT()(k, k) > kLeast;
+    if (!possible) return static_cast<std::size_t>(k);
+  }
+  return static_cast<std::size_t>(matrix.rows());
 }
 
 bool same(const CorrelatedPair& one, const CorrelatedPair& other) {
   return (one.a == other.a && one.b == other.b) || (one.a == other.b && one.b == other.a);
+}
+
+Eigen::Map<const VectorXd> vector_of(std::span<const double> v) {
+  return {v.data(), static_cast<Index>(v.size())};
+}
+
+std::vector<double> numbers_of(const VectorXd& v) { return {v.begin(), v.end()}; }
+
+// L as it is kept.
+auto lower(const std::vector<double>& factor, std::size_t inputs) {
+  const auto n = static_cast<Index>(inputs);
+  return Eigen::Map<const MatrixXd>(factor.data(), n, n);
 }
 
 }  // namespace
@@ -51,9 +64,9 @@ std::optional<std::size_t> Correlation::wrong_pair(std::size_t inputs,
     for (std::size_t j = 0; j < i; ++j) wrong = wrong || same(pair, pairs[j]);
     if (wrong) return i;
   }
-  const std::size_t failed = factor_of(inputs, matrix_of(inputs, pairs)).failed;
+  const std::size_t failed = first_impossible(matrix_of(inputs, pairs));
   for (std::size_t i = pairs.size(); i-- > 0;)
-    if (failed < inputs && std::max(pairs[i].a, pairs[i].b) == failed) return i;
+    if (std::max(pairs[i].a, pairs[i].b) == failed) return i;
   return {};
 }
 
@@ -62,40 +75,27 @@ Correlation::Correlation(std::size_t inputs, std::span<const CorrelatedPair> pai
   if (const auto wrong = wrong_pair(inputs, pairs))
     throw InputError("the correlation of the inputs " + std::to_string(pairs[*wrong].a) + " and " +
                      std::to_string(pairs[*wrong].b) + " contradicts the others");
-  if (!pairs.empty()) factor_ = factor_of(inputs, matrix_of(inputs, pairs)).rows;
+  if (pairs.empty()) return;
+  const MatrixXd L = matrix_of(inputs, pairs).llt().matrixL();
+  factor_.assign(L.data(), L.data() + L.size());
 }
 
 std::vector<double> Correlation::correlated(std::vector<double> z) const {
   if (independent()) return z;
-  for (std::size_t i = inputs_; i-- > 0;) {  // from the last: those before it are still z
-    double y = 0;
-    for (std::size_t k = 0; k <= i; ++k) y += factor_[i * inputs_ + k] * z[k];
-    z[i] = y;
-  }
-  return z;
+  return numbers_of(lower(factor_, inputs_) * vector_of(z));
 }
 
 std::vector<double> Correlation::slopes(std::vector<double> g) const {
   if (independent()) return g;
-  for (std::size_t k = 0; k < inputs_; ++k) {
-    double slope = 0;
-    for (std::size_t i = k; i < inputs_; ++i) slope += factor_[i * inputs_ + k] * g[i];
-    g[k] = slope;
-  }
-  return g;
+  return numbers_of(lower(factor_, inputs_).transpose() * vector_of(g));
 }
 
 std::vector<double> Correlation::parts(std::span<const double> z) const {
-  std::vector<double> solved(z.begin(), z.end());  // L^T solved = z
-  if (!independent())
-    for (std::size_t k = inputs_; k-- > 0;) {
-      for (std::size_t i = k + 1; i < inputs_; ++i)
-        solved[k] -= factor_[i * inputs_ + k] * solved[i];
-      solved[k] /= factor_[k * inputs_ + k];
-    }
-  std::vector<double> parts = correlated({z.begin(), z.end()});
-  for (std::size_t k = 0; k < parts.size(); ++k) parts[k] *= solved[k];
-  return parts;
+  const auto numbers = vector_of(z);
+  if (independent()) return numbers_of(numbers.cwiseAbs2());
+  const auto L = lower(factor_, inputs_);
+  const VectorXd solved = L.triangularView<Eigen::Lower>().transpose().solve(numbers);
+  return numbers_of((L * numbers).cwiseProduct(solved));
 }
 
 }  // namespace twum::optim

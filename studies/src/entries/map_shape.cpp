@@ -43,8 +43,9 @@ Shape<Metric> held_metric() {
 
 void more_than_zero(const Given& given, const char* name, const std::optional<double>& value,
                     Diagnostics& diagnostics) {
-  if (value && !(*value > 0))
-    diagnostics.add(given.find(name)->mark, given.path(name), quoted(given.find(name)->scalar),
+  const YamlNode* node = given.right(name);
+  if (node != nullptr && !(*value > 0))
+    diagnostics.add(node->mark, given.path(name), quoted(node->scalar),
                     "expected the upper end of the axis, more than 0");
 }
 

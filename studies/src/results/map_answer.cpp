@@ -9,10 +9,16 @@ void add_values(Json& json, const MapResult& result, const std::vector<double>& 
     json[result.columns[i].name] = number_json(values[i]);
 }
 
-Json point_json(const MapResult& result, const MapResult::Member& member,
-                const MapResult::Point& point) {
+// Begins an entry with the motor that it is of.
+Json of_motor(const MapResult& result, const MapResult::Member& member) {
   Json json = Json::object();
   if (result.family) json[result.family->name] = number_json(member.value);
+  return json;
+}
+
+Json point_json(const MapResult& result, const MapResult::Member& member,
+                const MapResult::Point& point) {
+  Json json = of_motor(result, member);
   json["torque"] = number_json(point.torque);
   json["speed"] = number_json(point.speed);
   json["status"] = point.status;
@@ -22,8 +28,7 @@ Json point_json(const MapResult& result, const MapResult::Member& member,
 
 Json corner_json(const MapResult& result, const MapResult::Member& member,
                  const MapResult::Corner& corner) {
-  Json json = Json::object();
-  if (result.family) json[result.family->name] = number_json(member.value);
+  Json json = of_motor(result, member);
   json["speed"] = number_json(corner.speed);
   json["torque"] = number_json(corner.torque);
   return json;

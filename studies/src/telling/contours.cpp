@@ -92,7 +92,8 @@ std::vector<double> round_levels(const std::vector<double>& values) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const double value : values)
     if (std::isfinite(value)) low = std::fmin(low, value), high = std::fmax(high, value);
-  if (!(low < high)) return {};
+  constexpr double kOneValue = 1e-9;  // values that differ by less differ by rounding
+  if (!(high - low > kOneValue * std::fmax(std::fabs(low), std::fabs(high)))) return {};
   const double rough = (high - low) / 10, power = std::pow(10, std::floor(std::log10(rough)));
   const double step = rough <= power       ? power
                       : rough <= 2 * power ? 2 * power

@@ -30,7 +30,8 @@ struct ContourLine {
 /// Lines on which the values, linear along the lines of the grid, are `level`; the longest first.
 std::vector<ContourLine> contour_lines(const ValueGrid& grid, double level);
 
-/// Round levels, rising, of which about ten divide the values, and which contain them. Empty if there are no two different values.
+/// Round levels, rising, of which about ten divide the values, and which contain them. Empty if there are no two values that
+/// differ by more than rounding.
 std::vector<double> round_levels(const std::vector<double>& values);
 
 }  // namespace twum::studies::telling

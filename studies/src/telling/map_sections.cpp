@@ -36,11 +36,11 @@ Phrase point_phrase(const Point& point) {
   return {value_part(point.torque, "N.m"), " at ", value_part(point.speed, "rad/s")};
 }
 
-// The point of the best efficiency; null if none is held.
+// The point of the best efficiency under a load; null if none is held.
 const Point* best_of(const MapResult& answer, const Member& member) {
   const Point* best = nullptr;
   for (const Point& point : member.points)
-    if (point.status == "ok" &&
+    if (point.status == "ok" && point.torque > 0 &&
         (best == nullptr || point.values[answer.efficiency] > best->values[answer.efficiency]))
       best = &point;
   return best;
@@ -53,10 +53,18 @@ double largest_torque(const Member& member) {
   return largest;
 }
 
-// Why a drive does not hold a point, and what would do.
-Phrase reason_phrase(const MapResult::Duty& duty) {
+// The place of a column; the number of columns if there is none.
+std::size_t place_of(const MapResult& answer, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(answer.columns, name, &StoredColumn::name) -
+                                  answer.columns.begin());
+}
+
+// Whether a drive holds a point, why not, and what would do.
+Phrase reason_phrase(const MapResult& answer, const MapResult::Duty& duty) {
   const std::string& status = duty.at.status;
   const Part needed = value_part(duty.needed, duty.unit);
+  if (status == "ok" && duty.at.values[place_of(answer, "held_by_control_only")] != 0)
+    return {good("held"), " by the control only: a drive that stays would lose it"};
   if (status == "ok") return {good("held")};
   if (status == "torque-out-of-reach") return {bad("not held"), ": friction carries ", needed};
   if (status == "voltage-too-low") return {bad("not held"), ": it needs ", needed};
@@ -167,10 +175,10 @@ Chart map_chart(const MapResult& answer, std::size_t number) {
 }
 
 Section map_section(const MapResult& answer, std::size_t number) {
-  Section section{
-      member_phrase(answer, answer.members[number]),
-      {"At each speed and torque the drive follows and holds the point. Lines through the "
-       "colours are labelled; thin red lines have the same output power."}};
+  Section section{member_phrase(answer, answer.members[number]),
+                  {"At each point the drive is set such that it holds the torque at the speed. A "
+                   "black line has "
+                   "one value, a red line one output power."}};
   if (!answer.family)
     section.heading = {name_part(answer.columns[answer.shown].name), " over speed and torque"};
   section.charts = {map_chart(answer, number)};
@@ -179,11 +187,9 @@ Section map_section(const MapResult& answer, std::size_t number) {
 
 std::vector<std::size_t> places_of(const MapResult& answer, std::span<const char* const> names) {
   std::vector<std::size_t> places;
-  for (const char* name : names) {
-    const auto at = std::ranges::find(answer.columns, name, &StoredColumn::name);
-    if (at != answer.columns.end())
-      places.push_back(static_cast<std::size_t>(at - answer.columns.begin()));
-  }
+  for (const char* name : names)
+    if (const std::size_t place = place_of(answer, name); place < answer.columns.size())
+      places.push_back(place);
   return places;
 }
 
@@ -197,7 +203,7 @@ void add_duty_rows(Table& table, const MapResult& answer, std::span<const char* 
     for (const MapResult::Duty& duty : member.duty) {
       std::vector<Phrase> row{member_phrase(answer, member), point_phrase(duty.at)};
       if (first)
-        row.insert(row.end(), {reason_phrase(duty), {value_part(duty.torque_left, "N.m")}});
+        row.insert(row.end(), {reason_phrase(answer, duty), {value_part(duty.torque_left, "N.m")}});
       for (const std::size_t place : places)
         row.push_back({column_part(answer.columns[place], duty.at.values[place])});
       table.rows.push_back(std::move(row));
@@ -220,11 +226,11 @@ Section duties(const MapResult& answer) {
 
 std::string reason_words(const std::string& status) {
   static const std::map<std::string, const char*> kWords{
-      {"torque-out-of-reach", "beyond friction"},
-      {"voltage-too-low", "for want of voltage"},
-      {"amplitude-too-low", "for want of amplitude"},
-      {"outside-frequency-range", "outside the drive's frequencies"},
-      {"unstable-amplitude", "without a stable wave"}};
+      {"torque-out-of-reach", "need more friction"},
+      {"voltage-too-low", "need more voltage"},
+      {"amplitude-too-low", "need a larger wave"},
+      {"outside-frequency-range", "need another frequency"},
+      {"unstable-amplitude", "have no stable wave"}};
   const auto known = kWords.find(status);
   return known == kWords.end() ? status : known->second;
 }
@@ -290,7 +296,10 @@ Headline headline_of(const MapResult& answer, const StudyResult& /*result*/) {
       best = &member;
   }
   if (best == nullptr)
-    return {Headline::Look::bad, "", {{strong("The drive holds no point of the map"), "."}}, {}};
+    return {Headline::Look::bad,
+            "",
+            {{strong("The drive holds no load"), " at the points of the map."}},
+            {}};
   const Point& point = *best_of(answer, *best);
   const StoredColumn& column = answer.columns[answer.efficiency];
   Phrase first{"The best ", name_part(column.name), " is ",

@@ -68,11 +68,12 @@ std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
     if (const std::uint64_t missing = answer.samples - metric.count; missing > 0)
       list.push_back(missing_phrase(metric, missing));
   if (!answer.parts.empty())
-    list.push_back({"Drawn whole from " + counted(answer.part_count, "measured part") + " in " +
-                    quoted(answer.parts) + "."});
+    list.push_back({"Each motor is one of the " + counted(answer.part_count, "measured part") +
+                    " in " + quoted(answer.parts) + "."});
   for (const UncertaintyResult::Inadmissible& one : answer.inadmissible)
-    list.push_back({share_part(one.share), " of the distribution of ", name_part(one.variable),
-                    " is not admissible: such motors have no value and keep no limit."});
+    list.push_back(
+        {share_part(one.share), " of the distribution of ", name_part(one.variable),
+         " lies where no motor can be; such motors have no value and break every limit."});
   return list;
 }
 

@@ -2,6 +2,8 @@
 #include "studies/statistics/coverage.hpp"
 #include "studies/statistics/study_text.hpp"
 
+#include <twum/studies/verify_study.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <twum/base/error.hpp>
@@ -273,6 +275,8 @@ TEST_CASE("wrong parts and correlations are refused with their place",
        "parts.csv:3: preload: 'x' is not a number");
   says(error("preload [N],weight\n150,-1\n", "  parts: parts.csv\n"), "parts.csv:2: weight: '-1'");
   says(error("preload [N],weight\n150,0\n", "  parts: parts.csv\n"), "no part with a weight");
+  says(error("preload [N],weight,weight\n150,1,2\n", "  parts: parts.csv\n"),
+       "'weight' stands there twice");
   says(error("preload [N]\n", "  parts: parts.csv\n"), "no part");
   says(error("preload [N]\n150\n", "  parts: parts.csv\n  variables: {preload: 5 %}\n"),
        "study.variables.preload: has a column in study.parts too");
@@ -312,4 +316,28 @@ TEST_CASE("a result grows by more samples, with the bytes of one that began with
   CHECK(test::timeless_summary(grown) == test::timeless_summary(whole));
   CHECK(run_study(asked(120), folder.path("grown")).was_complete);
   CHECK_THROWS_AS(run_study(asked(80), folder.path("grown")), twum::InputError);
+}
+
+TEST_CASE("a result with measured parts, or from another result, is verified from its folder alone",
+          "[studies][uncertainty][parts]") {
+  const test::ScratchFolder folder;
+  const auto written = [&](const std::string& name, const std::string& entries) {
+    std::ofstream(folder.path(name + ".yaml"))
+        << "twum: 1\nmotor: " TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml\nstudy:\n"
+        << entries;
+    run_study(read_study_file(folder.path(name + ".yaml")), folder.path(name));
+    return verify_study(folder.path(name));
+  };
+  std::ofstream(folder.path("parts.csv")) << "serial,preload [N]\na,150\nb,160\n";
+  const Verification parts =
+      written("parts",
+              "  kind: uncertainty\n  parts: parts.csv\n  samples: 9\n  metrics: [stall_torque]\n");
+  CHECK(parts.complaints == std::vector<std::string>{});
+  written("first",
+          "  kind: optimize\n  maximize: stall_torque\n  variables: {preload: {min: 100 N, max: "
+          "150 N}}\n");
+  const Verification start = written("second",
+                                     "  kind: uncertainty\n  start: first\n  variables: {preload: "
+                                     "3 %}\n  samples: 9\n  metrics: [stall_torque]\n");
+  CHECK(start.complaints == std::vector<std::string>{});
 }

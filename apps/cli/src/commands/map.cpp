@@ -80,6 +80,17 @@ std::string text_of(const studies::StudyResult& result, const std::string& forma
   return studies::summary_text(result);
 }
 
+// The entries of the study have the names of the options.
+studies::StudyResult result_of(const studies::StudyFile& file, const studies::RunOptions& run) {
+  try {
+    return studies::run_study(file, run);
+  } catch (const InputError& error) {
+    const std::string_view text = error.what(), entry = "study.";
+    if (!text.starts_with(entry)) throw;
+    throw InputError("--" + std::string(text.substr(entry.size())));
+  }
+}
+
 int run_map(const MapOptions& options) {
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
@@ -91,7 +102,7 @@ int run_map(const MapOptions& options) {
   file.motor = load_motor(options.motor);
   file.path = options.motor.path;
   file.asked = asked_by(options);
-  const studies::StudyResult result = studies::run_study(file, run);
+  const studies::StudyResult result = result_of(file, run);
   if (result.outcome == "interrupted") return kInterrupted;
   const std::vector<Picture> pictures = plot && result.outcome == "done"
                                             ? told_pictures({file, result, *result.rows})

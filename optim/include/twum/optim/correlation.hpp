@@ -40,7 +40,7 @@ class Correlation {
 
  private:
   std::size_t inputs_{0};
-  std::vector<double> factor_;  // L, row by row
+  std::vector<double> factor_;  // L, column by column
 };
 
 }  // namespace twum::optim

@@ -45,9 +45,9 @@ struct UncertaintyResult {
   std::uint64_t failed{0};   ///< of these, failed or incomplete
   /// of these, motors without a value that a limit needs; they count as violating it
   std::uint64_t no_value{0};
-  std::string parts;            ///< table of measured parts that were drawn; empty: none
+  std::string parts;  ///< name of the table of measured parts that were drawn; empty: none
   std::uint64_t part_count{0};  ///< how many there are
-  std::string start;            ///< the other study whose best design is the motor; empty: none
+  std::string start;  ///< folder of the other study whose best design is the motor; empty: none
   /// the motor without its tolerances: the varied parameters, and those of the other study's design
   std::vector<NamedValue> nominal;
   std::vector<StoredColumn> variables;     ///< in the order of the study

@@ -124,21 +124,6 @@ constexpr const char* kWarmUsage =
     "write 'warm(speed_at(0.5 N.m))', or 'warm(stall_torque, 0.5 N.m)' for the temperatures of a "
     "point";
 
-// Pieces between the commas that stand in no parentheses.
-std::vector<std::string_view> pieces_of(std::string_view text) {
-  std::vector<std::string_view> pieces;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    if (i < text.size() && text[i] == '(') ++depth;
-    if (i < text.size() && text[i] == ')') --depth;
-    if (i < text.size() && (text[i] != ',' || depth > 0)) continue;
-    pieces.push_back(trimmed(text.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-  return pieces;
-}
-
 // A metric with its own argument, for warm().
 MetricRequest parse_warmed(std::string_view piece, std::size_t at) {
   const std::size_t open = piece.find('(');
@@ -157,7 +142,7 @@ MetricRequest parse_warmed(std::string_view piece, std::size_t at) {
 MetricRequest parse_warm(std::string_view text, std::size_t open) {
   if (open == std::string_view::npos)
     throw ValueError(quoted(text) + " needs a metric in parentheses", kWarmUsage, text.size());
-  const auto pieces = pieces_of(text.substr(open + 1, text.size() - open - 2));
+  const auto pieces = split_list(text.substr(open + 1, text.size() - open - 2));
   const auto at = [&](std::size_t i) {
     return static_cast<std::size_t>(pieces[i].data() - text.data());
   };

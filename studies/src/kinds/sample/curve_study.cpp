@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/rows/sample_rows.hpp"
+#include "kinds/sample/family.hpp"
 
-#include <twum/io/engineering.hpp>
 #include <twum/motors/curve_points.hpp>
 #include <twum/motors/expression.hpp>
 
@@ -20,17 +20,6 @@ struct CurveMember {
   double last_speed;  // of its curve [rad/s]
 };
 
-// A value in the file that is not admissible is an error of the file, not a failed row.
-Motor member_motor(const MotorDesign& base, Parameter parameter, double value) {
-  try {
-    return Motor(with(base, parameter, value));
-  } catch (const InputError& error) {
-    const ParameterInfo& row = info(parameter);
-    throw InputError("study.family: " + std::string(row.name) + " = " +
-                     engineering(value, row.unit) + " gives an invalid motor: " + error.what());
-  }
-}
-
 // Torque-speed curves: a stage for each member, a row for each speed.
 class CurveRun : public StudyKindRun {
  public:
@@ -41,7 +30,7 @@ class CurveRun : public StudyKindRun {
     }
     family_ = asked.family->parameter;
     for (const double value : asked.family->values)
-      add_member(value, member_motor(motor, *family_, value));
+      add_member(value, Motor(family_motor(motor, *family_, value)));
     // In a family over voltage or amplitude, the value already has a column.
     std::erase_if(columns_,
                   [&](const CurveColumn& one) { return one.name == info(*family_).name; });
@@ -49,7 +38,7 @@ class CurveRun : public StudyKindRun {
 
   std::vector<StoredColumn> columns() const override {
     std::vector<StoredColumn> columns;
-    if (family_) columns.push_back(family_column());
+    if (family_) columns.push_back(family_column(*family_));
     for (const CurveColumn& column : columns_) columns.push_back({column.name, column.unit});
     return columns;
   }
@@ -84,11 +73,6 @@ class CurveRun : public StudyKindRun {
     members_.push_back({value, std::move(motor), last_speed});
   }
 
-  StoredColumn family_column() const {
-    const ParameterInfo& row = info(*family_);
-    return {std::string(row.name), std::string(row.unit)};
-  }
-
   void fill(StoredRow& row) const {
     const CurveMember& member = members_[row.stage];
     const OperatingPoint point =
@@ -101,7 +85,7 @@ class CurveRun : public StudyKindRun {
 
   KindAnswer answer(const ResultStore& store, bool complete) const {
     CurveResult result;
-    if (family_) result.family = family_column();
+    if (family_) result.family = family_column(*family_);
     bool any = false;
     for (std::size_t stage = 0; stage < members_.size(); ++stage) {
       result.members.push_back(member_answer(store, stage));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/rows/sample_rows.hpp"
+#include "kinds/sample/family.hpp"
 
 #include <twum/io/engineering.hpp>
 #include <twum/motors/frequency_points.hpp>
@@ -44,15 +45,8 @@ std::vector<SweptMotor> members_of(const FrequencyStudy& asked, const MotorDesig
       members.push_back({torque, base, {Argument::torque, torque}});
   if (!asked.family)
     return over_loads(asked) ? members : std::vector<SweptMotor>{{kNoFamily, base, load_of(asked)}};
-  const ParameterInfo& row = info(asked.family->parameter);
-  for (const double value : asked.family->values) {
-    try {
-      members.push_back({value, with(base, asked.family->parameter, value), load_of(asked)});
-    } catch (const InputError& error) {
-      throw InputError("study.family: " + std::string(row.name) + " = " +
-                       engineering(value, row.unit) + " gives an invalid motor: " + error.what());
-    }
-  }
+  for (const double value : asked.family->values)
+    members.push_back({value, family_motor(base, asked.family->parameter, value), load_of(asked)});
   return members;
 }
 
@@ -129,8 +123,7 @@ class FrequencyRun : public StudyKindRun {
   static std::optional<StoredColumn> family_of(const FrequencyStudy& asked) {
     if (over_loads(asked)) return StoredColumn{"load_torque", "N.m"};
     if (!asked.family) return {};
-    const ParameterInfo& row = info(asked.family->parameter);
-    return StoredColumn{std::string(row.name), std::string(row.unit)};
+    return family_column(asked.family->parameter);
   }
 
   // Sweeps of each motor.

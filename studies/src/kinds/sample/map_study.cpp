@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/rows/sample_rows.hpp"
+#include "kinds/sample/family.hpp"
 
 #include <twum/core/metrics.hpp>
-#include <twum/io/engineering.hpp>
+#include <twum/motors/curve_points.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,28 +23,25 @@ struct MapColumn {
   double (*value)(const HeldPoint&);
 };
 
-// What every motor has.
-constexpr std::array kContact{
+// What follows from the point that a drive holds, beside what curves tell of it. The last two a motor with modal data has.
+constexpr std::array kHeld{
     MapColumn{"efficiency", "1", [](const HeldPoint& h) { return h.point.efficiency(); }},
-    MapColumn{"output_power", "W", [](const HeldPoint& h) { return h.point.output_power; }},
-    MapColumn{"stator_power", "W", [](const HeldPoint& h) { return h.point.stator_power; }},
-    MapColumn{"friction_power", "W", [](const HeldPoint& h) { return h.point.friction_power; }},
-    MapColumn{"layer_loss", "W", [](const HeldPoint& h) { return h.point.layer_loss; }},
-    MapColumn{"wear_intensity", "W/m^2", [](const HeldPoint& h) { return h.point.wear_intensity; }},
     MapColumn{"amplitude", "m", [](const HeldPoint& h) { return h.amplitude; }},
     MapColumn{"held_by_control_only", "1",
-              [](const HeldPoint& h) { return h.by_control_only ? 1.0 : 0.0; }}};
-
-// What a motor with modal data has besides.
-constexpr std::array kTerminals{
-    MapColumn{"overall_efficiency", "1",
-              [](const HeldPoint& h) { return h.point.overall_efficiency(); }},
-    MapColumn{"electrical_power", "W", [](const HeldPoint& h) { return h.point.electrical_power; }},
-    MapColumn{"phase_current", "A", [](const HeldPoint& h) { return h.point.phase_current; }},
+              [](const HeldPoint& h) { return h.by_control_only ? 1.0 : 0.0; }},
     MapColumn{"drive_frequency", "Hz", [](const HeldPoint& h) { return h.frequency; }},
-    MapColumn{"drive_voltage", "V", [](const HeldPoint& h) { return h.voltage; }},
-    MapColumn{"stator_loss", "W", [](const HeldPoint& h) { return h.point.stator_loss; }},
-    MapColumn{"dielectric_loss", "W", [](const HeldPoint& h) { return h.point.dielectric_loss; }}};
+    MapColumn{"drive_voltage", "V", [](const HeldPoint& h) { return h.voltage; }}};
+constexpr std::size_t kOfContact = 3;
+
+// Columns of curves but for speed and torque, which a map asks for, and those above.
+std::vector<CurveColumn> curve_columns_of(const MotorDesign& design) {
+  std::vector<CurveColumn> columns = curve_columns(design);
+  std::erase_if(columns, [](const CurveColumn& one) {
+    const std::string_view name = one.name;
+    return name == "speed" || name == "torque" || name == "amplitude" || name == "voltage";
+  });
+  return columns;
+}
 
 std::size_t place_of(const std::vector<StoredColumn>& columns, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(columns, name, &StoredColumn::name) -
@@ -53,11 +51,13 @@ std::size_t place_of(const std::vector<StoredColumn>& columns, std::string_view 
 // What is known of a point; the same for every motor of a family.
 class MapColumns {
  public:
-  MapColumns(const MotorDesign& design, std::optional<Metric> quantity) {
-    if (has_modal_data(design)) columns_.assign(kTerminals.begin(), kTerminals.end());
-    columns_.insert(columns_.end(), kContact.begin(), kContact.end());
-    for (const MapColumn& one : columns_) names_.push_back({one.name, one.unit});
-    const char* whole = has_modal_data(design) ? "overall_efficiency" : "efficiency";
+  MapColumns(const MotorDesign& design, std::optional<Metric> quantity)
+      : curve_(curve_columns_of(design)) {
+    const bool modal = has_modal_data(design);
+    held_.assign(kHeld.begin(), modal ? kHeld.end() : kHeld.begin() + kOfContact);
+    for (const MapColumn& one : held_) names_.push_back({one.name, one.unit});
+    for (const CurveColumn& one : curve_) names_.push_back({one.name, one.unit});
+    const char* whole = modal ? "overall_efficiency" : "efficiency";
     efficiency_ = shown_ = place_of(names_, whole);
     if (quantity) show(*quantity);
   }
@@ -71,7 +71,8 @@ class MapColumns {
                              const HeldPoint& held) const {
     if (held.status != HeldStatus::ok) return std::vector<double>(names_.size(), kNone);
     std::vector<double> values;
-    for (const MapColumn& one : columns_) values.push_back(one.value(held));
+    for (const MapColumn& one : held_) values.push_back(one.value(held));
+    for (const CurveColumn& one : curve_) values.push_back(one.value(held.point));
     if (!extra_) return values;
     const MetricValue more = evaluate(motor, {*extra_, Argument::both, speed, torque});
     values.push_back(more.status == MetricStatus::ok ? more.value : kNone);
@@ -82,13 +83,15 @@ class MapColumns {
   // A metric that is none of the columns becomes one.
   void show(Metric metric) {
     const MetricInfo& row = info(metric);
-    shown_ = place_of(names_, row.name.substr(0, row.name.rfind("_at")));
+    const std::string_view name = row.name.substr(0, row.name.rfind("_at"));
+    shown_ = place_of(names_, name);
     if (shown_ < names_.size()) return;
     extra_ = metric;
-    names_.push_back({std::string(row.name), std::string(row.unit)});
+    names_.push_back({std::string(name), std::string(row.unit)});
   }
 
-  std::vector<MapColumn> columns_;
+  std::vector<MapColumn> held_;
+  std::vector<CurveColumn> curve_;
   std::vector<StoredColumn> names_;
   std::size_t efficiency_{0}, shown_{0};
   std::optional<Metric> extra_;
@@ -102,15 +105,8 @@ struct MappedMotor {
 std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& base) {
   if (!asked.family) return {{kNone, Motor(base)}};
   std::vector<MappedMotor> motors;
-  const ParameterInfo& row = info(asked.family->parameter);
-  for (const double value : asked.family->values) {
-    try {
-      motors.push_back({value, Motor(with(base, asked.family->parameter, value))});
-    } catch (const InputError& error) {
-      throw InputError("study.family: " + std::string(row.name) + " = " +
-                       engineering(value, row.unit) + " gives an invalid motor: " + error.what());
-    }
-  }
+  for (const double value : asked.family->values)
+    motors.push_back({value, Motor(family_motor(base, asked.family->parameter, value))});
   return motors;
 }
 
@@ -144,9 +140,7 @@ class MapRun : public StudyKindRun {
       : asked_(asked),
         motors_(motors_of(asked, base)),
         columns_(motors_.front().motor.design(), asked.quantity) {
-    if (!asked.family) return;
-    const ParameterInfo& row = info(asked.family->parameter);
-    family_ = StoredColumn{std::string(row.name), std::string(row.unit)};
+    if (asked.family) family_ = family_column(asked.family->parameter);
   }
 
   std::vector<StoredColumn> columns() const override {

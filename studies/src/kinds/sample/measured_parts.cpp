@@ -36,8 +36,9 @@ MeasuredParts::MeasuredParts(const std::string& path, const MotorDesign& base) {
   const DesignTable table(reader, chunk, base, {});
   parameters_ = table.parameters();
   const auto weight = table.column_named(kWeight);
-  for (const std::string& name : table.copied())
-    if (name != kWeight) unused_.push_back(name);
+  unused_ = table.copied();
+  if (std::erase(unused_, kWeight) > 1)
+    throw InputError(path + ": the column 'weight' stands there twice; leave one of them out");
   DesignTable::Scratch row;
   double sum = 0;
   while (reader.read(chunk, 1000))

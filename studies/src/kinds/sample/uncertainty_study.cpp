@@ -102,6 +102,12 @@ std::vector<Parameter> drawn_parameters(const std::vector<DrawnVariable>& variab
   return list;
 }
 
+// The name of what a path leads to. The path itself is another one in the folder of the results.
+std::string last_name(const std::string& path) {
+  const auto normal = std::filesystem::path(path + "/").lexically_normal();
+  return normal.parent_path().filename().string();
+}
+
 // What tells the varied motor from others: the varied parameters and those of the earlier design.
 std::vector<Parameter> nominal_parameters(const UncertaintyStudy& asked,
                                           const EarlierDesign& start) {
@@ -125,14 +131,14 @@ class UncertaintyRun : public StudyKindRun {
         variables_(drawn_variables(asked.variables, design_)),
         correlation_(asked.variables.size(), correlated_pairs(asked.variables, asked.correlations)),
         parts_(measured_parts(file, asked, design_)),
-        parts_file_(asked.parts),
+        parts_name_(last_name(asked.parts)),
         probabilities_(sorted(asked.quantiles)),
         metrics_(with_derived(asked.metrics, asked.derived)),
         limits_(place_limits(asked.limits, metrics_)),
         evaluator_({design_, drawn_parameters(variables_, parts_), asked.derived}, metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
-        start_folder_(asked.start),
+        start_name_(last_name(asked.start)),
         nominal_(nominal_parameters(asked, start_)) {}
 
   std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
@@ -142,7 +148,7 @@ class UncertaintyRun : public StudyKindRun {
   std::vector<std::string> notes() const override {
     std::vector<std::string> notes = shapes::tolerance_notes(tolerances_, design_);
     for (const std::string& name : parts_.unused())
-      notes.push_back("column " + quoted(name) + " of " + quoted(parts_file_) +
+      notes.push_back("column " + quoted(name) + " of " + quoted(parts_name_) +
                       " is no parameter and is not used");
     return notes;
   }
@@ -191,10 +197,10 @@ class UncertaintyRun : public StudyKindRun {
 
   UncertaintyResult frame() const {
     UncertaintyResult result;
-    result.parts = parts_file_;
+    result.parts = parts_name_;
     result.part_count = parts_.size();
     result.confidence = kConfidence;
-    result.start = start_folder_;
+    result.start = start_name_;
     for (const Parameter parameter : nominal_)
       result.nominal.push_back({std::string(info(parameter).name),
                                 std::string(info(parameter).unit), get(design_, parameter)});
@@ -262,14 +268,14 @@ class UncertaintyRun : public StudyKindRun {
   std::vector<DrawnVariable> variables_;
   optim::Correlation correlation_;
   MeasuredParts parts_;
-  std::string parts_file_;
+  std::string parts_name_;
   std::vector<double> probabilities_;
   std::vector<MetricExpression> metrics_;
   std::vector<LimitPlace> limits_;
   RowEvaluator evaluator_;
   std::uint64_t seed_;
   std::uint64_t samples_;
-  std::string start_folder_;
+  std::string start_name_;
   std::vector<Parameter> nominal_;
 };
 

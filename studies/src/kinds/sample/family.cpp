@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/sample/family.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/io/engineering.hpp>
+
+namespace twum::studies {
+
+MotorDesign family_motor(const MotorDesign& base, Parameter parameter, double value) {
+  try {
+    MotorDesign motor = with(base, parameter, value);
+    require_motor(motor);
+    return motor;
+  } catch (const InputError& error) {
+    const ParameterInfo& row = info(parameter);
+    throw InputError("study.family: " + std::string(row.name) + " = " +
+                     engineering(value, row.unit) + " gives an invalid motor: " + error.what());
+  }
+}
+
+StoredColumn family_column(Parameter parameter) {
+  const ParameterInfo& row = info(parameter);
+  return {std::string(row.name), std::string(row.unit)};
+}
+
+}  // namespace twum::studies
