@@ -44,7 +44,7 @@ class Map(program.Case):
     def test_wrong_options_are_refused(self):
         for options, expected in (
                 (("--points", "60"), "--points: '60'; expected the number of speeds and that of torques"),
-                (("--torque", "0 N.m"), "--torque: '0 N.m'; expected the upper end"),
+                (("--torque", "0 N.m"), "--torque: '0 N.m'; expected more than 0"),
                 (("--speed", "1 N.m"), "--speed"),
                 (("--duty", "1 N.m"), "--duty: '1 N.m'; expected a torque and a speed"),
                 (("--duty", "1 N.m, 0 rpm"), "--duty"),

@@ -57,7 +57,7 @@ std::vector<MetricRequest> requests_of(const Motor& motor) {
   std::vector<MetricRequest> requests;
   for (const MetricInfo& row : metric_table())
     if (row.argument == Argument::none && !row.needs_modes && !row.needs_geometry &&
-        !row.needs_thermal)
+        !row.needs_thermal && !row.needs_wear)
       requests.push_back({row.metric});
   for (const double share : {0.3, 0.6})
     requests.push_back({Metric::speed_at, Argument::torque, share * motor.holding_torque()});

@@ -17,7 +17,7 @@ LIBRARIES = {
     "studies": ["core/base", "core/stator", "core", "optim", "studies/io", "studies/motors"],
 }
 FOLDERS = {
-    "core": ["design", "contact", "model", "point", "curve", "drive", "held", "heat", "metrics"],
+    "core": ["design", "contact", "model", "point", "curve", "drive", "held", "heat", "wear", "metrics"],
     "optim": ["sampling", "problem", "solvers", "certificate", "search", "fronts", "fit", "robust"],
     "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
     "studies/motors": ["materials", "metrics", "file", "tables"],
@@ -27,6 +27,9 @@ FOLDERS = {
 # Public headers whose functions and classes a source of another name defines, and those of types alone, in the lowest folder that
 # needs them.
 FOLDER_OF_HEADER = {
+    "twum/core/life.hpp": "metrics",
+    "twum/core/load.hpp": "design",
+    "twum/core/metric_request.hpp": "design",
     "twum/optim/options.hpp": "problem",
     "twum/studies/telling.hpp": "telling",
     "twum/optim/estimate.hpp": "sampling",
@@ -50,7 +53,7 @@ FOLDER_OF_HEADER = {
     "twum/studies/run_options.hpp": "stored",
     "twum/studies/stored_result.hpp": "stored",
 } | {f"twum/studies/{name}.hpp": "results" for name in (
-    "calibrate_result", "curve_result", "frequency_result", "map_result", "move", "optimize_result", "pareto_result", "robust_result",
+    "calibrate_result", "curve_result", "frequency_result", "heat_result", "life_result", "map_result", "move", "optimize_result", "pareto_result", "robust_result",
     "run_progress", "sample_results", "search_results", "sensitivity_result", "study_result", "sweep_result",
     "uncertainty_result")}
 OTHERS = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Temperatures of a motor in Python: one call each."""
+"""Temperatures and lives of a motor in Python: one call each."""
 import pathlib
 import unittest
 
@@ -23,6 +23,15 @@ class Heat(unittest.TestCase):
         self.assertGreater(hot.stator_temperature_at(torque=0.5), MOTOR.stator_temperature_at(torque=0.5))
         with self.assertRaisesRegex(twum.InputError, "is a temperature"):
             MOTOR.replace(rotor_heat_capacity="40 degC")
+
+    def test_the_operation_of_its_file(self):
+        self.assertGreater(MOTOR.stator_peak_temperature, MOTOR.ambient_temperature)
+        self.assertLess(MOTOR.duty_limit_at("100 rpm", torque=0.5), 1 + 1e-12)
+
+    def test_a_life(self):
+        worn = twum.Motor(ROOT / "examples/motors/worn-60.yaml").replace(radial_slices=1)
+        faster = worn.replace(specific_wear="4e-6 mm^3/(N.m)")
+        self.assertAlmostEqual(4 * faster.life_at(torque=0.5) / worn.life_at(torque=0.5), 1, delta=1e-12)
 
 
 if __name__ == "__main__":

@@ -18,8 +18,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string typed(const Part& part) { return written(part, Writing::typed); }
-std::string read(const Part& part) { return written(part, Writing::read); }
+std::string typed(const telling::Part& part) { return written(part, Writing::typed); }
+std::string read(const telling::Part& part) { return written(part, Writing::read); }
 
 // A yield of 99 %, one metric with a limit, two tolerances of which the second has 4 % of the gain of the first.
 OptimizeResult robust_optimum() {

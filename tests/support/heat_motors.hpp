@@ -66,9 +66,11 @@ inline double part_off(double found, double right) {
   return std::fabs(found - right) / std::fabs(right);
 }
 
-/// True for parameters that say nothing of a motor without temperatures.
+/// True for parameters that say nothing of a motor without temperatures or wear.
 inline bool of_heat(Parameter parameter) {
-  return info(parameter).file_entry.starts_with("thermal.") || parameter == Parameter::conductivity;
+  const std::string_view entry = info(parameter).file_entry;
+  return entry.starts_with("thermal.") || entry.starts_with("wear.") ||
+         parameter == Parameter::conductivity;
 }
 
 /// A motor that gives such a parameter.
@@ -79,6 +81,7 @@ inline MotorDesign motor_that_gives(Parameter parameter) {
   design.layer.conductivity = 0.25;
   t.stator.temperature_limit = t.rotor.temperature_limit = 400;
   t.housing.temperature_limit = t.contact_temperature_limit = 400;
+  design.wear = Wear{1e-15, 1e-17, 1e-4, {}, 1e5, 3e9};
   if (parameter == P::drift_modal_damping) design = with(design, P::modal_damping, 40);
   if (parameter == P::drift_shear_viscosity) design = with(design, P::shear_viscosity, 60);
   if (info(parameter).file_entry.starts_with("thermal.drift."))

@@ -101,4 +101,13 @@ double parse_frequency(const std::string& option, std::string_view text) {
   return parse_option(option, text, {"Hz", "40 kHz"});
 }
 
+double parse_time(const std::string& option, std::string_view text) {
+  return parse_option(option, text, {"s", "10 min"});
+}
+
+double more_than_zero(const std::string& option, double value, const std::string& text) {
+  if (value > 0) return value;
+  throw InputError(option + ": " + studies::quoted(text) + "; expected more than 0");
+}
+
 }  // namespace twum::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page asks for no temperatures, and is smaller without the search for them.
+// A page asks for no temperatures and no lives, and is smaller without the search for them.
 #include "metrics/heat_metrics.hpp"
+#include "metrics/wear_metrics.hpp"
 
 namespace twum::core {
 
@@ -9,6 +10,14 @@ MetricValue HeatMetrics::evaluate(const MetricRequest& /*request*/) {
 }
 
 MetricDerivative HeatMetrics::differentiate(const MetricRequest& request, bool /*fixed*/) {
+  return no_derivative(evaluate(request));
+}
+
+MetricValue WearMetrics::evaluate(const MetricRequest& /*request*/) {
+  return {kNoValue, MetricStatus::undefined};
+}
+
+MetricDerivative WearMetrics::differentiate(const MetricRequest& request, bool /*fixed*/) {
   return no_derivative(evaluate(request));
 }
 

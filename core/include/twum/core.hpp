@@ -26,6 +26,9 @@
 #include <twum/core/frequency_response.hpp>
 #include <twum/core/heat.hpp>
 #include <twum/core/held_point.hpp>
+#include <twum/core/life.hpp>
+#include <twum/core/load.hpp>
+#include <twum/core/metric_request.hpp>
 #include <twum/core/metric_value.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>

@@ -8,7 +8,8 @@
 #include "design/motor_rows.hpp"
 #include "design/plate_numbers.hpp"
 #include "design/radial_shape.hpp"
-#include "design/thermal_rows.hpp"
+#include "design/wear_design.hpp"
+#include "design/wear_rows.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
@@ -25,9 +26,12 @@ using P = Parameter;
 
 // Every row, those of the stator's geometry last.
 constexpr auto kRows = [] {
-  std::array<ParameterRow, kMotorRows.size() + kThermalRows.size() + kGeometryRows.size()> rows{};
+  std::array<ParameterRow,
+             kMotorRows.size() + kThermalRows.size() + kWearRows.size() + kGeometryRows.size()>
+      rows{};
   auto next = std::copy(kMotorRows.begin(), kMotorRows.end(), rows.begin());
   next = std::copy(kThermalRows.begin(), kThermalRows.end(), next);
+  next = std::copy(kWearRows.begin(), kWearRows.end(), next);
   std::copy(kGeometryRows.begin(), kGeometryRows.end(), next);
   return rows;
 }();
@@ -98,6 +102,8 @@ std::string contradiction(const MotorDesign& design) {
     return "static_friction must be at least kinetic_friction = " +
            number(design.friction.kinetic) + ", but is " + number(design.friction.threshold);
   if (std::string wrong = thermal_complaint(design); !wrong.empty()) return wrong;
+  if (std::string wrong = operation_complaint(design); !wrong.empty()) return wrong;
+  if (std::string wrong = wear_complaint(design); !wrong.empty()) return wrong;
   if (stator.geometry) {
     if (!stator.voltage || has_modal_data(design)) return {};
     return "voltage needs quality_factor (or modal_damping, more than 0); give it, or amplitude in "

@@ -25,9 +25,9 @@ constexpr std::array kLimits{P::stator_temperature_limit, P::rotor_temperature_l
 
 std::string name_of(P parameter) { return std::string(info(parameter).name); }
 
-std::string kelvin(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g K", value);
+std::string in_unit(double value, const char* unit) {
+  char text[60];
+  std::snprintf(text, sizeof text, "%.10g %s", value, unit);
   return text;
 }
 
@@ -92,8 +92,8 @@ std::string of_limits(const MotorDesign& design) {
   const double ambient = design.thermal->ambient;
   for (const P limit : kLimits)
     if (get(design, limit) < ambient)
-      return name_of(limit) + " must be at least ambient_temperature = " + kelvin(ambient) +
-             ", but is " + kelvin(get(design, limit));
+      return name_of(limit) + " must be at least ambient_temperature = " + in_unit(ambient, "K") +
+             ", but is " + in_unit(get(design, limit), "K");
   return {};
 }
 
@@ -128,6 +128,21 @@ std::string thermal_complaint(const MotorDesign& design) {
   std::string wrong = design.thermal->one_node ? of_one_node(design) : of_three_masses(design);
   if (wrong.empty()) wrong = of_limits(design);
   return wrong.empty() ? of_drift(design) : wrong;
+}
+
+std::string operation_complaint(const MotorDesign& design) {
+  for (const LoadPhase& phase : design.operation) {
+    if (!(phase.time > 0) || std::isinf(phase.time))
+      return "operation must have phases with a time of more than 0 s, but one is " +
+             in_unit(phase.time, "s");
+    if (phase.voltage && !(*phase.voltage > 0))
+      return "operation must have voltages of more than 0 V, but one is " +
+             in_unit(*phase.voltage, "V");
+    if (phase.load && phase.load->argument == Argument::both && !(phase.load->at > 0))
+      return "operation must hold torques at speeds of more than 0 rad/s, but one is " +
+             in_unit(phase.load->at, "rad/s");
+  }
+  return {};
 }
 
 }  // namespace twum

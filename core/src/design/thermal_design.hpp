@@ -20,6 +20,9 @@ double lining_conductance(const MotorDesign& design);
 /// The first thing that is wrong with the thermal block, as complaints(); empty if nothing is.
 std::string thermal_complaint(const MotorDesign& design);
 
+/// The first thing that is wrong with the phases of the operation, likewise.
+std::string operation_complaint(const MotorDesign& design);
+
 /// Temperatures of a motor that its parameters follow.
 enum class ThermalNode : unsigned char { stator, contact, lining };
 

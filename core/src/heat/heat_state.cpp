@@ -39,6 +39,7 @@ double dominant(const Eigenvalues& e) {
 HeatSolver::HeatSolver(HeatProblem problem)
     : problem_(std::move(problem)),
       ambient_(problem_.ambient),
+      fastest_(time_constants(problem_.network).front()),
       matrices_(matrices_of(problem_.network)),
       capacities_(capacities_of(problem_.network)) {
   for (std::size_t k = 0; k < kSources; ++k) {
@@ -68,7 +69,7 @@ Vector3 HeatSolver::newton_step(const HeatState& at) const {
 
 HeatState HeatSolver::with_losses(const NodeTemperatures& x) const {
   const WarmLosses losses = problem_.losses(x);
-  return {losses.status, x, losses.p, losses.slope, {}, 0, kIdentity3};
+  return {losses.status, x, losses.p, losses.slope, {}, 0, kIdentity3, {}};
 }
 
 // x and p move on by the step, p along its derivatives; theta = K^-1 B p.
@@ -128,14 +129,17 @@ bool HeatSolver::leads_there(const HeatState& cold, const SteadyState& found) co
   return std::fabs(there - expected) <= kBend * first;
 }
 
+Matrix3 HeatSolver::settling(const HeatState& s) const {
+  Matrix3 spread;
+  for (std::size_t i = 0; i < 3; ++i) spread[i] = times(s.slope, matrices_.D[kNodeParts[i]]);
+  return inverse(plus(kIdentity3, -1, spread));
+}
+
 Matrix3 HeatSolver::jacobian(const HeatState& s) const {
   // p_theta = (I - p_x D)^-1 p_x M = p_x (I - D p_x)^-1 M
-  Matrix3 spread, masses;
-  for (std::size_t i = 0; i < 3; ++i) {
-    spread[i] = times(s.slope, matrices_.D[kNodeParts[i]]);
-    masses[i] = matrices_.M[kNodeParts[i]];
-  }
-  const Matrix3 nodes = inverse(plus(kIdentity3, -1, spread)) * masses;  // dx / dtheta
+  Matrix3 masses;
+  for (std::size_t i = 0; i < 3; ++i) masses[i] = matrices_.M[kNodeParts[i]];
+  const Matrix3 nodes = settling(s) * masses;  // dx / dtheta
   Matrix3 j;
   for (std::size_t i = 0; i < kMasses; ++i) {
     const Vector3 heat = times(s.slope, matrices_.B[i]);  // by x
@@ -216,13 +220,15 @@ HeatSolver::Step HeatSolver::step(const HeatState& s, double time) const {
   HeatState end = at_masses(better, nodes_at(better, middle));
   end.time = s.time + time;
   end.moved = second.exp * (first.exp * s.moved);
+  for (std::size_t k = 0; k < kSources; ++k)  // Simpson's rule
+    end.heat[k] = s.heat[k] + time / 6 * (s.p[k] + 4 * middle.p[k] + end.p[k]);
   return {end, largest(difference)};
 }
 
 // Shortens the step until its error is small, or the point is lost within a hundredth of the fastest time constant.
 HeatSolver::Advance HeatSolver::one_step(const HeatState& s, double wanted,
                                          double tolerance) const {
-  const double shortest = 1e-2 * time_constants(problem_.network).front();
+  const double shortest = 1e-2 * fastest_;
   for (double time = wanted;;) {
     const Step tried = step(s, time);
     const bool lost = tried.end.status != MetricStatus::ok;
@@ -241,16 +247,30 @@ HeatSolver::Advance HeatSolver::one_step(const HeatState& s, double wanted,
   }
 }
 
-HeatState HeatSolver::advanced(HeatState state, double duration, double tolerance) const {
-  const double end = state.time + duration;
-  double next = std::min(duration, time_constants(problem_.network).front());
-  while (state.status == MetricStatus::ok && state.time < end) {
-    const double left = end - state.time;
-    const Advance done = one_step(state, next >= left ? left : std::min(next, left / 2), tolerance);
-    state = done.state, next = done.next;
-    if (left - done.time <= 1e-12 * duration) state.time = end;
+std::vector<HeatState> HeatSolver::marched_to(const HeatState& start, double duration,
+                                              double tolerance, double longest) const {
+  std::vector<HeatState> states{start};
+  states.front().moved = kIdentity3, states.front().heat = {};
+  const double end = start.time + duration;
+  double next = std::min(longest, fastest_);
+  while (states.back().status == MetricStatus::ok && states.back().time < end) {
+    const double left = end - states.back().time;
+    const double wanted = std::min(next, std::max(longest, (states.back().time - start.time) / 2));
+    const Advance done =
+        one_step(states.back(), wanted >= left ? left : std::min(wanted, left / 2), tolerance);
+    states.push_back(done.state), next = done.next;
+    if (left - done.time <= 1e-12 * duration) states.back().time = end;
   }
-  return state;
+  return states;
+}
+
+std::vector<HeatState> HeatSolver::followed(const HeatState& start, double duration,
+                                            double tolerance) const {
+  return marched_to(start, duration, tolerance, fastest_ / 2);
+}
+
+HeatState HeatSolver::advanced(const HeatState& start, double duration, double tolerance) const {
+  return marched_to(start, duration, tolerance, duration).back();
 }
 
 // After each step Newton's method may end the march, at a stable state close by.
@@ -270,6 +290,17 @@ SteadyState HeatSolver::marched() const {
   SteadyState none{state, 0, 0, state.time};
   if (state.status == MetricStatus::ok) none.state.status = MetricStatus::thermally_unstable;
   return none;
+}
+
+PartValues<double> HeatSolver::part_rates(const HeatState& s) const {
+  const Vector3 masses = rate(s);
+  Vector3 nodes;
+  for (std::size_t i = 0; i < 3; ++i) nodes[i] = dot(matrices_.M[kNodeParts[i]], masses);
+  nodes = settling(s) * nodes;
+  PartValues<double> rates{masses[0], masses[1], masses[2], 0, 0};
+  if (problem_.network.one_node) rates[1] = rates[2] = masses[0];
+  for (std::size_t i = 0; i < 3; ++i) rates[kNodeParts[i]] = nodes[i];
+  return rates;
 }
 
 PartValues<double> HeatSolver::parts(const HeatState& s) const {

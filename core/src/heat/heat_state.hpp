@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace twum::core {
 
@@ -36,7 +37,8 @@ struct HeatState {
   std::array<Vector3, kSources> slope{};  ///< p_x
   Vector3 theta{};                        ///< of the masses above ambient [K]
   double time{0};                         ///< since the motor was cold, of a state on its way [s]
-  Matrix3 moved{kIdentity3};  ///< how theta moves with that at the beginning of advanced()
+  Matrix3 moved{kIdentity3};  ///< how theta moves with that at the beginning of followed()
+  Sources<double> heat{};     ///< integral of p since then [J]
 };
 
 /// A fixed point of (H3.2) with what says whether the motor stays there.
@@ -62,9 +64,12 @@ class HeatSolver {
 
   /// x = T_a + M theta + D p with p at x: by one step of Newton's method from a guess, or several where that moves it far.
   HeatState at_masses(const Vector3& theta, NodeTemperatures guess) const;
-  /// The motor in time from a state on, in steps of (H4.3) that differ by `tolerance` from their halves [K]; ends at the time, or
-  /// with a status where the point is lost.
-  HeatState advanced(HeatState state, double duration, double tolerance) const;
+  /// The motor in time from a state on, which is the first of the answer, in steps of (H4.3) that differ by `tolerance` from their
+  /// halves [K]; ends at the time, or with a status where the point is lost. A step takes at most half of the fastest time
+  /// constant, or of the time since the beginning: modes that still move then have passed one extreme at most.
+  std::vector<HeatState> followed(const HeatState& state, double duration, double tolerance) const;
+  /// The end alone, in steps as long as their error allows.
+  HeatState advanced(const HeatState& state, double duration, double tolerance) const;
   HeatState cold() const { return at_masses({}, ambient_nodes()); }
   NodeTemperatures cold_nodes() const { return ambient_nodes(); }
   /// theta after a time as E theta + v, with the losses of the cold motor (H4.1).
@@ -75,6 +80,17 @@ class HeatSolver {
   Linear with_cold_losses(double time) const;
   /// The temperatures of all parts [K].
   PartValues<double> parts(const HeatState& state) const;
+  /// How fast these rise [K/s]; those of the nodes with the losses that follow.
+  PartValues<double> part_rates(const HeatState& state) const;
+  /// (I - D p_x)^-1 of the nodes: what a change of their temperatures becomes with the losses that follow.
+  Matrix3 settling(const HeatState& state) const;
+  /// d theta' / d theta = C^-1 (-K + B p_theta)
+  Matrix3 jacobian(const HeatState& state) const;
+  /// theta'
+  Vector3 rate(const HeatState& state) const;
+  const NetworkMatrices<double>& matrices() const { return matrices_; }
+  const Vector3& capacities() const { return capacities_; }
+  double fastest() const { return fastest_; }
   /// Phi(x) from the losses at x (H3.2).
   NodeTemperatures image(const Sources<double>& p) const;
   /// Phi_x = N p_x (H3.3).
@@ -95,8 +111,9 @@ class HeatSolver {
   bool leads_there(const HeatState& cold, const SteadyState& found) const;
   SteadyState judged(HeatState state) const;
   SteadyState marched() const;
-  Matrix3 jacobian(const HeatState& state) const;
-  Vector3 rate(const HeatState& state) const;
+  /// @param longest  step at the beginning [s]; later ones may have half of the time since then
+  std::vector<HeatState> marched_to(const HeatState& start, double duration, double tolerance,
+                                    double longest) const;
   struct Flow {
     Vector3 theta;
     Matrix3 exp;  ///< of dt J
@@ -112,6 +129,7 @@ class HeatSolver {
 
   HeatProblem problem_;
   double ambient_;
+  double fastest_;  // time constant of the network [s]
   NetworkMatrices<double> matrices_;
   Vector3 capacities_;
   std::array<Sources<double>, kParts> response_;  // of the steady parts by p

@@ -103,9 +103,10 @@ inline Eigenvalues eigenvalues(const Matrix3& a) {
 /// The largest real part.
 inline double abscissa(const Eigenvalues& e) { return std::max({e.real[0], e.real[1], e.real[2]}); }
 
-/// exp(A) and phi(A) = A^-1 (exp(A) - 1), by Taylor's series of A / 2^k and phi(2z) = phi(z) (exp(z) + 1) / 2.
+/// exp(A) and the functions phi_k(A), phi_k(z) = (phi_(k-1)(z) - 1 / (k-1)!) / z with phi_0 = exp, of which phi is the first. By
+/// Taylor's series of A / 2^n and phi_k(2z) = 2^-k (exp(z) phi_k(z) + sum over j = 1 to k of phi_j(z) / (k - j)!).
 struct Exponential {
-  Matrix3 exp, phi;
+  Matrix3 exp, phi, phi2, phi3;
 };
 inline Exponential exponential(Matrix3 a) {
   double size = 0;
@@ -113,17 +114,20 @@ inline Exponential exponential(Matrix3 a) {
   int halvings = 0;
   while (size > 0.25) size /= 2, ++halvings;
   a = plus(Matrix3{}, std::ldexp(1, -halvings), a);
-  Matrix3 phi = kIdentity3, term = kIdentity3;
-  for (int k = 2; k <= 14; ++k) {  // (3 / 4)^14 / 15! is 1e-14 of the sum
+  Matrix3 phi3 = plus(Matrix3{}, 1.0 / 6, kIdentity3), term = phi3;
+  for (int k = 4; k <= 16; ++k) {  // (3 / 4)^14 / 15! is 1e-14 of the sum
     term = plus(Matrix3{}, 1.0 / k, term * a);
-    phi = plus(phi, 1, term);
+    phi3 = plus(phi3, 1, term);
   }
-  Matrix3 exp = plus(kIdentity3, 1, a * phi);
+  Matrix3 phi2 = plus(a * phi3, 0.5, kIdentity3), phi = plus(a * phi2, 1, kIdentity3),
+          exp = plus(a * phi, 1, kIdentity3);
   for (; halvings > 0; --halvings) {
+    phi3 = plus(Matrix3{}, 0.125, plus(plus(plus(exp * phi3, 0.5, phi), 1, phi2), 1, phi3));
+    phi2 = plus(Matrix3{}, 0.25, plus(plus(exp * phi2, 1, phi), 1, phi2));
     phi = plus(Matrix3{}, 0.5, phi * plus(exp, 1, kIdentity3));
     exp = exp * exp;
   }
-  return {exp, phi};
+  return {exp, phi, phi2, phi3};
 }
 
 }  // namespace twum::core

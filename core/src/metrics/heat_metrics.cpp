@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace twum::core {
 namespace {
@@ -16,20 +15,18 @@ namespace {
 using M = Metric;
 using P = Parameter;
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-LoadPoint load_of(const MetricRequest& request) {
-  return {request.argument, request.at, request.torque};
-}
-
 }  // namespace
 
 std::optional<std::size_t> part_of(M metric) {
   switch (metric) {
-    case M::stator_temperature_at: return 0;
-    case M::rotor_temperature_at: return 1;
-    case M::housing_temperature_at: return 2;
-    case M::contact_temperature_at: return 3;
+    case M::stator_temperature_at:
+    case M::stator_peak_temperature: return 0;
+    case M::rotor_temperature_at:
+    case M::rotor_peak_temperature: return 1;
+    case M::housing_temperature_at:
+    case M::housing_peak_temperature: return 2;
+    case M::contact_temperature_at:
+    case M::contact_peak_temperature: return 3;
     default: return {};
   }
 }
@@ -60,17 +57,8 @@ const HeatMetrics::Known& HeatMetrics::steady(const LoadPoint& load) {
   return found;
 }
 
-HeatMetrics::Limits HeatMetrics::limits() const {
-  Limits limits;
-  limits.fill(kNoLimit);
-  for (std::size_t i = 0; i < kTemperatureLimits.size(); ++i)
-    if (const double given = get(design_, kTemperatureLimits[i]); !std::isnan(given))
-      limits[i] = given;
-  return limits;
-}
-
 std::size_t HeatMetrics::hottest(const Known& known) const {
-  const Limits limit = limits();
+  const PartValues<double> limit = temperature_limits(design_);
   std::size_t least = 0;
   for (std::size_t i = 1; i < kParts; ++i)
     if (limit[i] - known.parts[i] < limit[least] - known.parts[least]) least = i;
@@ -79,16 +67,20 @@ std::size_t HeatMetrics::hottest(const Known& known) const {
 
 double HeatMetrics::margin(const Known& known) const {
   const std::size_t part = hottest(known);
-  return limits()[part] - known.parts[part];
+  return temperature_limits(design_)[part] - known.parts[part];
+}
+
+NodeTemperatures HeatMetrics::nodes(const LoadPoint& load) {
+  return load.argument == Argument::none ? mean_nodes() : steady(load).steady.state.x;
 }
 
 double HeatMetrics::value(const MetricRequest& request) {
   if (request.warm_at) {
-    const Known& at = steady(*request.warm_at);
     MetricRequest plain = request;
     plain.warm_at.reset();
-    const MetricValue found =
-        twum::evaluate(Motor(*at_temperatures(design_, at.steady.state.x)), plain);
+    const auto warm = at_temperatures(design_, nodes(*request.warm_at));
+    if (!warm) throw SearchFailure{MetricStatus::temperature_out_of_range};
+    const MetricValue found = twum::evaluate(Motor(*warm), plain);
     if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
     return found.value;
   }
@@ -97,6 +89,12 @@ double HeatMetrics::value(const MetricRequest& request) {
     case M::continuous_torque:
     case M::continuous_torque_at: return continuous(request).torque;
     case M::start_temperature: return start_temperature();
+    case M::on_time_at: return on_time(load_of(request)).moment.time;
+    case M::duty_limit_at: return duty_limit(load_of(request)).share;
+    case M::stator_peak_temperature:
+    case M::rotor_peak_temperature:
+    case M::housing_peak_temperature:
+    case M::contact_peak_temperature: return peak(*part_of(request.metric));
     case M::thermal_gain_at: return steady(load_of(request)).steady.gain;
     case M::temperature_margin_at: {
       const double least = margin(steady(load_of(request)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "metrics/load_losses.hpp"
+#include "metrics/heat_course.hpp"
 
 #include <functional>
 #include <list>
@@ -18,6 +18,11 @@ inline constexpr std::array kTemperatureLimits{
 /// True for what HeatMetrics answers: metrics of the motor's temperatures, and any metric of the warm motor.
 inline bool is_heat(const MetricRequest& request) {
   return request.warm_at || info(request.metric).needs_thermal;
+}
+
+/// The load of a metric at one.
+inline LoadPoint load_of(const MetricRequest& request) {
+  return {request.argument, request.at, request.torque};
 }
 
 /// The part whose temperature a metric is.
@@ -45,8 +50,6 @@ class HeatMetrics {
     std::array<Gradient, kParts> parts;  // of the temperatures
     std::array<Gradient, 3> nodes;       // of those that parameters follow
   };
-  using Limits = std::array<double, kParts>;  // infinite without one
-
   const HeatNetwork& network();
   HeatProblem problem(const LoadPoint& load);
   const Known& known(const LoadPoint& load);
@@ -55,7 +58,6 @@ class HeatMetrics {
   double value(const MetricRequest& request);
   double margin(const Known& known) const;
   std::size_t hottest(const Known& known) const;
-  Limits limits() const;
 
   /// Phi_q: derivatives of the parts' temperatures with the nodes', which parameters follow, held; and p_x.
   struct Rows {
@@ -65,12 +67,10 @@ class HeatMetrics {
   std::optional<Rows> at_fixed_nodes(const Known& known, bool fixed);
   std::optional<Moves> moves(const Known& known, bool fixed);
   std::array<Gradient, kParts> by_network(const Known& known, bool fixed);
-  Gradient conductance_of_node(bool fixed);
-  Gradient of_lining(double by_conductance) const;
   MetricDerivative of_margin(const Known& known, const MetricValue& value, bool fixed);
   MetricDerivative of_parts(const MetricRequest& request, const MetricValue& value, bool fixed);
   MetricDerivative of_warm(const MetricRequest& request, const MetricValue& value, bool fixed);
-  MetricDerivative of_time_constant(const MetricValue& value) const;
+  MetricDerivative of_time_constant(const MetricValue& value, bool fixed);
 
   /// What ends the torques up to which the motor runs for ever.
   enum class Limiting : unsigned char {
@@ -95,9 +95,45 @@ class HeatMetrics {
                             const MetricValue& value, bool fixed);
   MetricDerivative of_fold(const MetricRequest& request, const Continuous& found,
                            const MetricValue& value, bool fixed);
-  /// Derivative of a function of the load torque (H6.2).
-  double by_load(const std::function<double(double)>& f, double torque) const;
-  double holding_torque() const;
+  /// Temperatures of the nodes: steady at a load, or the mean over the operation.
+  NodeTemperatures nodes(const LoadPoint& load);
+  std::optional<std::array<Gradient, 3>> node_moves(const LoadPoint& load, bool fixed);
+
+  /// The operation, which returns.
+  struct Operation {
+    HeatCourse course;
+    HeatCourse::Lap lap;
+  };
+  const Operation& operation();
+  NodeTemperatures mean_nodes();
+  std::array<Gradient, 3> mean_moves(bool fixed);
+  double peak(std::size_t part);
+  MetricDerivative of_peak(std::size_t part, const MetricValue& value, bool fixed);
+  /// The part that reaches its limit, and when.
+  struct OnTime {
+    HeatCourse course;
+    HeatCourse::Lap lap;
+    HeatCourse::Moment moment;
+    std::size_t part;
+  };
+  OnTime on_time(const LoadPoint& load) const;
+  MetricDerivative of_on_time(const LoadPoint& load, const MetricValue& value, bool fixed) const;
+  /// The part that just keeps its limit in a cycle with a load for a share of the operation's period.
+  struct Shared {
+    HeatCourse course;
+    HeatCourse::Lap lap;
+    HeatCourse::Moment moment;
+    std::size_t part;
+    double margin;
+  };
+  Shared shared(const LoadPoint& load, double share) const;
+  struct DutyLimit {
+    double share;
+    std::optional<Shared> at;  ///< where a temperature limits it
+    Limiting limiting;         ///< load: it may stay for ever, or not at all
+  };
+  DutyLimit duty_limit(const LoadPoint& load);
+  MetricDerivative of_duty_limit(const LoadPoint& load, const MetricValue& value, bool fixed);
   double voltage_to_spare(double temperature) const;
   double start_temperature();
   MetricDerivative of_start(const MetricValue& value, bool fixed);
@@ -105,6 +141,7 @@ class HeatMetrics {
   const MotorDesign& design_;
   std::optional<HeatNetwork> network_;
   std::list<Known> known_;  // references stay valid
+  std::optional<Operation> operation_;
 };
 
 }  // namespace twum::core

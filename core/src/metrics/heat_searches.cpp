@@ -3,6 +3,7 @@
 #include "metrics/heat_metrics.hpp"
 
 #include "curve/curve.hpp"
+#include "metrics/heat_numbers.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
@@ -115,6 +116,7 @@ MetricDerivative HeatMetrics::of_limit(const MetricRequest& request, const Conti
   MetricDerivative result = of_margin(found.state, {0, MetricStatus::ok}, fixed);
   if (result.smoothness == Smoothness::undefined) return no_derivative(value);
   const double slope = by_load(
+      design_,
       [&](double torque) {
         const Known at = followed(load_with(request, torque), found.state.steady.state.x);
         return at.steady.ok() ? margin(at) : kNoValue;
@@ -141,6 +143,7 @@ MetricDerivative HeatMetrics::of_fold(const MetricRequest& request, const Contin
     if (largest(row) > largest(w)) w = row;
   }
   const double by_torque = by_load(
+      design_,
       [&](double torque) {
         const WarmLosses losses = LoadLosses(design_, load_with(request, torque)).at(state.x);
         return losses.status == MetricStatus::ok ? dot(w, solver.image(losses.p)) : kNoValue;

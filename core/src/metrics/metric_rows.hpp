@@ -70,6 +70,18 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::continuous_torque:
     case M::continuous_torque_at:
     case M::start_temperature:
+    case M::on_time_at:
+    case M::duty_limit_at:
+    case M::stator_peak_temperature:
+    case M::rotor_peak_temperature:
+    case M::housing_peak_temperature:
+    case M::contact_peak_temperature:
+    // of wear, see WearMetrics
+    case M::wear_rate_at:
+    case M::life_at:
+    case M::life_revolutions_at:
+    case M::life:
+    case M::life_revolutions:
     // numbers of the motor, see metric_row()
     case M::ceramic_stress_at:
     case M::max_overall_efficiency:
@@ -283,7 +295,19 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::thermal_time_constant:
     case M::continuous_torque:
     case M::continuous_torque_at:
-    case M::start_temperature: throw SearchFailure{MetricStatus::undefined};  // see HeatMetrics
+    case M::start_temperature:
+    case M::on_time_at:
+    case M::duty_limit_at:
+    case M::stator_peak_temperature:
+    case M::rotor_peak_temperature:
+    case M::housing_peak_temperature:
+    case M::contact_peak_temperature:
+    case M::wear_rate_at:
+    case M::life_at:
+    case M::life_revolutions_at:
+    case M::life:
+    case M::life_revolutions:
+      throw SearchFailure{MetricStatus::undefined};  // see HeatMetrics and WearMetrics
   }
   const typename Answers::Number speed =
       request.argument == Argument::torque

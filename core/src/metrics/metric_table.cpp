@@ -7,7 +7,8 @@ namespace {
 using M = Metric;
 using A = Argument;
 
-constexpr bool kModes = true, kGeometry = true, kThermal = true, kAbsolute = true;
+constexpr bool kModes = true, kGeometry = true, kThermal = true, kAbsolute = true,
+               kOperation = true, kWear = true;
 
 constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
@@ -160,6 +161,35 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::start_temperature, "start_temperature", "K", A::none,
      "lowest temperature of the whole motor at which it starts by itself", kModes, !kGeometry,
      kThermal, kAbsolute},
+    {M::on_time_at, "on_time_at", "s", A::speed_or_torque,
+     "time from cold until a limit of temperature is reached", !kModes, !kGeometry, kThermal},
+    {M::duty_limit_at, "duty_limit_at", "1", A::speed_or_torque,
+     "largest share of the operation's period for which the motor may run", !kModes, !kGeometry,
+     kThermal, !kAbsolute, kOperation},
+    {M::stator_peak_temperature, "stator_peak_temperature", "K", A::none,
+     "highest temperature of the stator in the operation", !kModes, !kGeometry, kThermal, kAbsolute,
+     kOperation},
+    {M::rotor_peak_temperature, "rotor_peak_temperature", "K", A::none,
+     "highest temperature of the rotor in the operation", !kModes, !kGeometry, kThermal, kAbsolute,
+     kOperation},
+    {M::housing_peak_temperature, "housing_peak_temperature", "K", A::none,
+     "highest temperature of the housing in the operation", !kModes, !kGeometry, kThermal,
+     kAbsolute, kOperation},
+    {M::contact_peak_temperature, "contact_peak_temperature", "K", A::none,
+     "highest temperature where lining and stator slide, in the operation", !kModes, !kGeometry,
+     kThermal, kAbsolute, kOperation},
+    {M::wear_rate_at, "wear_rate_at", "m/s", A::speed_or_torque, "how fast the new track wears",
+     !kModes, !kGeometry, !kThermal, !kAbsolute, !kOperation, kWear},
+    {M::life_at, "life_at", "s", A::speed_or_torque, "time until the worn motor breaks a limit",
+     !kModes, !kGeometry, !kThermal, !kAbsolute, !kOperation, kWear},
+    {M::life_revolutions_at, "life_revolutions_at", "1", A::speed_or_torque,
+     "revolutions until the worn motor breaks a limit", !kModes, !kGeometry, !kThermal, !kAbsolute,
+     !kOperation, kWear},
+    {M::life, "life", "s", A::none, "time until the worn motor breaks a limit, in its operation",
+     !kModes, !kGeometry, !kThermal, !kAbsolute, kOperation, kWear},
+    {M::life_revolutions, "life_revolutions", "1", A::none,
+     "revolutions until the worn motor breaks a limit, in its operation", !kModes, !kGeometry,
+     !kThermal, !kAbsolute, kOperation, kWear},
 }};
 
 // A page has the texts besides (metrics_json()), and its core does without them.

@@ -6,6 +6,7 @@
 #include "metrics/heat_metrics.hpp"
 #include "metrics/held_metrics.hpp"
 #include "metrics/motor_parts.hpp"
+#include "metrics/wear_metrics.hpp"
 #include "point/slice_count.hpp"
 
 #include <functional>
@@ -56,11 +57,13 @@ class Parts {
       : motor_(motor),
         held_(motor.design()),
         heat_(motor.design()),
+        wear_(motor.design()),
         make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }) {}
 
   // @param ask  by each of the parts
   template <typename Ask>
   Answer answer(const MetricRequest& request, Ask ask) {
+    if (is_wear(request)) return ask(wear_);
     if (is_heat(request)) return ask(heat_);
     if (is_held(request)) return ask(held_);
     if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
@@ -76,6 +79,7 @@ class Parts {
   const Motor& motor_;
   HeldMetrics held_;
   HeatMetrics heat_;
+  WearMetrics wear_;
   std::function<void(const Motor&, std::optional<Answers>&)> make_;
   std::optional<Motor> still_;
   std::optional<Answers> of_motor_, of_still_;

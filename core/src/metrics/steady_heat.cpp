@@ -85,4 +85,49 @@ std::vector<WarmUpPoint> warm_up(const MotorDesign& design, const LoadPoint& loa
   });
 }
 
+namespace {
+
+// The distribution of the losses follows the temperatures, and these the losses: a few rounds.
+HeatBalance balance_at(const HeatSolver& solver, const LoadLosses& losses, double ambient,
+                       double temperature) {
+  constexpr int kMostRounds = 40;
+  constexpr double kSettled = 1e-6;  // [K]
+  NodeTemperatures x{temperature, temperature, temperature};
+  for (int i = 0; i < kMostRounds; ++i) {
+    const WarmLosses found = losses.at(x);
+    if (found.status != MetricStatus::ok) return {found.status, temperature, 0, 0};
+    const double rise = dot(solver.response()[kNodeParts[0]], found.p);
+    const double share = (temperature - ambient) / rise;
+    NodeTemperatures next{};
+    for (std::size_t k = 0; k < 3; ++k)
+      next[k] = ambient + share * dot(solver.response()[kNodeParts[k]], found.p);
+    const double sum = losses_of(found.p).sum();
+    if (!(rise > 0)) return {MetricStatus::undefined, temperature, 0, 0};
+    const bool settled = largest(plus(next, -1, x)) <= kSettled;
+    x = next;
+    if (settled) return {MetricStatus::ok, temperature, sum, share * sum};
+  }
+  return {MetricStatus::not_converged, temperature, 0, 0};
+}
+
+}  // namespace
+
+std::vector<HeatBalance> heat_balance(const MotorDesign& design, const LoadPoint& load,
+                                      const std::vector<double>& stator_temperatures) try {
+  const HeldTraps traps;
+  require_heat(design);
+  MotorDesign kept = design;
+  keep_plate(kept);
+  const LoadLosses losses(kept, load);
+  const double ambient = kept.thermal->ambient;
+  const HeatSolver solver(
+      {network_of(kept), ambient, [&](const NodeTemperatures& x) { return losses.at(x); }});
+  std::vector<HeatBalance> balance;
+  for (const double temperature : stator_temperatures)
+    balance.push_back(balance_at(solver, losses, ambient, temperature));
+  return balance;
+} catch (const SearchFailure& failure) {
+  return std::vector<HeatBalance>(stator_temperatures.size(), {failure.status, 0, 0, 0});
+}
+
 }  // namespace twum

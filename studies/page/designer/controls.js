@@ -14,7 +14,6 @@ export const partTitles = {
   rotor: 'Rotor',
   contact_layer: 'Contact layer',
   friction: 'Friction',
-  thermal: 'Heat',
   preload: 'Preload'
 };
 export const sliderSteps = 1000;

@@ -44,7 +44,19 @@ function motorTree(motor, tables) {
         tree, 'stator.radial_shape.table',
         '[' + motor.table.map(([radius, shape]) => '[' + typedQuantity(radius, 'm') + ', ' + shape + ']').join(', ') +
             ']');
+  for (const [path, text] of Object.entries(motor.besides)) putEntry(tree, path, text);
   return tree;
+}
+
+/** What the page keeps of a file without reading it: temperatures, wear, a drive that follows. */
+const keptEntries = /^(thermal\.|wear\.|operation$|stator\.(control|frequency_range)$)/;
+
+/** A value of a file in one line of YAML. */
+function flowText(value) {
+  if (Array.isArray(value)) return '[' + value.map(flowText).join(', ') + ']';
+  if (value !== null && typeof value === 'object')
+    return '{' + Object.entries(value).map(([key, one]) => key + ': ' + flowText(one)).join(', ') + '}';
+  return /^[\w.+-][\w ./^()+*%<>=-]*$/.test(value) ? String(value) : quotedText(String(value));
 }
 
 export function motorYaml(motor, tables) {
@@ -163,6 +175,10 @@ function takeEntry(motor, path, value, tables, byEntry) {
     setMaterial(motor.values, material[1], value, tables);
     return;
   }
+  if (keptEntries.test(path)) {
+    motor.besides[path] = flowText(value);
+    return;
+  }
   const name = byEntry[path];
   if (name === undefined)
     throw new MotorFileError(
@@ -207,7 +223,7 @@ export function readMotorYaml(text, tables, core) {
   if (file.study !== undefined) throw new MotorFileError('study: this is a study file; expected a motor file');
   if (file.motor === null || typeof file.motor !== 'object')
     throw new MotorFileError('motor: expected the motor with its entries');
-  const motor = {name: '', values: {}, branch: 'running', inner_edge: null, table: []};
+  const motor = {name: '', values: {}, branch: 'running', inner_edge: null, table: [], besides: {}};
   const byEntry = Object.fromEntries(Object.entries(tables.parameters).map(([name, row]) => [row.entry, name]));
   const entries = Object.fromEntries(leaves(file.motor));
   const ofCircuit = (path) =>

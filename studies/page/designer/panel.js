@@ -257,7 +257,7 @@ export class DesignerPanel {
     return Object.entries(this.tables.metrics)
         .filter(
             ([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge) &&
-                !m.thermal &&
+                !m.aged &&
                 (values.voltage !== undefined ||
                  !['pull_out_torque', 'start_frequency', 'pull_out_frequency'].includes(name)) &&
                 !(moving && (m.modes || m.geometry)))

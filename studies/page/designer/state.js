@@ -7,7 +7,7 @@ import {coreArguments} from './core.js';
 /**
  * @typedef {{metric: string, argument: string, at: number, sense: string, value: number}} Limit
  * @typedef {{name: string, values: Object<string, number>, branch: string, inner_edge: string | null, table:
- * number[][]}} StatedMotor
+ * number[][], besides: Object<string, string>}} StatedMotor
  */
 
 export class DesignState {

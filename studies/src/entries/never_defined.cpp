@@ -75,6 +75,35 @@ const YamlEntry* entry_of(const YamlNode& variables, Parameter parameter) {
 }
 
 constexpr const char* kThermal = "the ways of its heat; give 'thermal' in the motor file";
+constexpr const char* kOperation =
+    "what the motor does; give 'operation' in the motor file, such as [{torque: 0.5 N.m, time: 60 "
+    "s}, {idle: 100 s}]";
+
+constexpr const char* kWear =
+    "what wears and what ends a life; give 'wear' in the motor file, such as {specific_wear: 1e-6 "
+    "mm^3/(N.m), depth_limit: 100 um}";
+
+// What worn() in a text lacks: the wear, or an operation where no load is named.
+std::string missing_for_worn(const MotorDesign& motor, std::string_view from_worn) {
+  if (!motor.wear) return kWear;
+  int depth = 0;
+  const bool named = std::ranges::any_of(from_worn.substr(5), [&](char c) {
+    depth += (c == '(') - (c == ')');
+    return depth == 0 && c == ',';
+  });
+  if (named || !motor.operation.empty()) return {};
+  return std::string(kOperation) + ", or name a load, as in worn(stall_torque, 0.5 N.m)";
+}
+
+// What warm() in a text lacks: the ways of the heat, or an operation where no point is named.
+std::string missing_for_warm(const MotorDesign& motor, std::string_view from_warm) {
+  if (!motor.thermal) return kThermal;
+  const std::string_view inside = from_warm.substr(0, from_warm.find_first_of("),", 5));
+  const bool named = from_warm.substr(inside.size()).starts_with(',') ||
+                     inside.find('(', 5) != std::string_view::npos;
+  if (named || !motor.operation.empty()) return {};
+  return std::string(kOperation) + ", or name a point, as in warm(stall_torque, 0.5 N.m)";
+}
 
 bool has_temperature_limit(const Thermal& thermal) {
   return thermal.stator.temperature_limit || thermal.rotor.temperature_limit ||
@@ -91,7 +120,10 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
            "a "
            "geometry, under 'stator' in the motor file";
   if (row.needs_thermal && !motor.thermal) return kThermal;
-  const bool limits = metric == Metric::temperature_margin_at;
+  if (row.needs_wear && !motor.wear) return kWear;
+  if (row.needs_operation && motor.operation.empty()) return kOperation;
+  const bool limits = metric == Metric::temperature_margin_at || metric == Metric::on_time_at ||
+                      metric == Metric::duty_limit_at;
   if (limits && !has_temperature_limit(*motor.thermal))
     return "a limit of temperature; give 'limit' under stator, rotor, housing or contact of "
            "'thermal' in the motor file";
@@ -130,21 +162,35 @@ class DefinedCheck {
   void look(const YamlNode& node, const std::string& path) {
     if (node.kind == YamlNode::Kind::scalar) return look_at(node, path);
     for (const YamlEntry& entry : node.entries)
-      if (!names_files(entry.key)) look(entry.value, path + "." + entry.key);
+      if (!names_other_things(entry.key)) look(entry.value, path + "." + entry.key);
     for (std::size_t i = 0; i < node.items.size(); ++i)
       look(node.items[i], path + "[" + std::to_string(i) + "]");
   }
 
  private:
-  static bool names_files(std::string_view key) {
-    return key == "data" || key == "start" || key == "choose" || key == "variables";
+  // Their texts name no metric.
+  static bool names_other_things(std::string_view key) {
+    return key == "kind" || key == "data" || key == "start" || key == "choose" ||
+           key == "variables";
+  }
+
+  using Missing = std::string (*)(const MotorDesign& motor, std::string_view from_word);
+
+  void look_for(std::string_view word, Missing missing_for, const YamlNode& node,
+                const std::string& path) {
+    for (std::size_t at = node.scalar.find(word); at != std::string::npos;
+         at = node.scalar.find(word, at + 1)) {
+      const std::string missing = missing_for(motor_, std::string_view(node.scalar).substr(at));
+      if (!missing.empty())
+        diagnostics_.add(diagnostics_.source().mark_within(node.mark, node.scalar, at), path,
+                         std::string(word) + ") has no value for this motor",
+                         "it needs " + missing);
+    }
   }
 
   void look_at(const YamlNode& node, const std::string& path) {
-    if (const std::size_t warm = node.scalar.find("warm(");
-        warm != std::string::npos && !motor_.thermal)
-      diagnostics_.add(diagnostics_.source().mark_within(node.mark, node.scalar, warm), path,
-                       "warm() has no value for this motor", std::string("it needs ") + kThermal);
+    look_for("warm(", missing_for_warm, node, path);
+    look_for("worn(", missing_for_worn, node, path);
     for_each_metric(node.scalar, [&](Metric metric, std::size_t at) {
       const std::string missing = missing_for(motor_, metric);
       if (missing.empty()) return;

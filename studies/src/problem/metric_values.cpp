@@ -17,9 +17,10 @@ bool beyond_drive(const MetricRequest& request, MetricStatus status) {
   }
 }
 
-// Temperatures, and metrics of the warm motor, have no value where the cold motor does not carry the load.
+// Temperatures, lives, and metrics of the warm or worn motor have no value where the cold motor does not carry the load.
 bool has_value_nearby(const MetricRequest& request) {
-  return !request.warm_at && !info(request.metric).needs_thermal;
+  const MetricInfo& row = info(request.metric);
+  return !request.warm_at && !request.worn_at && !row.needs_thermal && !row.needs_wear;
 }
 
 std::vector<MetricDerivative> with_gradients(const Motor& motor,

@@ -78,9 +78,10 @@ bool ends_at_a_limit(const MetricRequest& request) {
   return held && !has_values_everywhere(request.metric);
 }
 
-// What has no value where the voltage does not run the motor.
+// What has no value where the voltage does not run the motor; the worn motor is another one.
 bool needs_running_wave(const MetricRequest& request) {
-  return request.argument != Argument::both && !has_values_everywhere(request.metric);
+  return !request.worn_at && request.argument != Argument::both &&
+         !has_values_everywhere(request.metric);
 }
 
 bool varies(const DesignProblem& problem, Parameter parameter) {
@@ -108,7 +109,7 @@ MetricRequest reserve_request(const MetricRequest& request) {
 // As the user typed it, where the expression is one metric.
 std::string argument_text(const MetricRequest& reserve, const MetricExpression& metric) {
   const std::size_t open = metric.text.find('('), close = metric.text.rfind(')');
-  const bool typed = metric.request() && !metric.request()->warm_at;
+  const bool typed = metric.request() && !metric.request()->warm_at && !metric.request()->worn_at;
   if (typed && open != std::string::npos) return metric.text.substr(open + 1, close - open - 1);
   return number_text(reserve.at) + (reserve.argument == Argument::torque ? " N.m" : " rad/s");
 }
@@ -305,6 +306,20 @@ bool lacks_values(const std::vector<MetricDerivative>& numbers) {
 
 }  // namespace
 
+// A time that does not end keeps each lower limit and breaks each upper one: what stands for it lies beyond both, and is flat. A goal
+// has no such value.
+void CombinationResponses::end_endless(Numbers& numbers) const {
+  constexpr double kBeyond = 10;
+  const std::size_t goals = problem_.objectives.size();
+  for (std::size_t i = 0; i < problem_.limits.size(); ++i) {
+    MetricDerivative& number = numbers[goals + i];
+    const MotorLimit& limit = problem_.limits[i];
+    if (!is_endless(number.value.status) || limit.metric.request() == nullptr) continue;
+    const double end = std::isfinite(limit.upper) ? limit.upper : limit.lower;
+    number = {{kBeyond * std::max(std::fabs(end), 1.0), MetricStatus::ok}, {}, Smoothness::flat};
+  }
+}
+
 // Where the voltage does not run the motor, its metrics are those at the least voltage that does (Y5.4): continuous where it just
 // runs, so that a search outside gets numbers; the reserves tell how far it has to go. Without derivatives, as for the samples of a
 // whole range, such a motor has no answer: it would cost ten times as much as the metrics.
@@ -324,6 +339,7 @@ CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& m
         for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
     }
   }
+  end_endless(numbers);
   numbers.insert(numbers.end(), reserves.begin(), reserves.end());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MetricStatus status = numbers[i].value.status;

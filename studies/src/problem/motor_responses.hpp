@@ -44,6 +44,7 @@ class CombinationResponses {
                     bool gradient) const;
   std::optional<MetricDerivative> missing_voltage(const MotorDesign& motor,
                                                   const Numbers& reserves) const;
+  void end_endless(Numbers& numbers) const;
   void add_friction_order(std::span<const double> design, Numbers& numbers) const;
   optim::Evaluation evaluate_motor(std::span<const double> design, bool gradient) const;
   void add_kinks(std::span<const double> design, const Numbers& numbers,

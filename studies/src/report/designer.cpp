@@ -13,8 +13,8 @@ bool has_designer() noexcept { return !assets::core_module().empty(); }
 
 std::string designer_html(const MotorFile& motor) {
   const Json data{{"version", version()},
-                  {"parameters", parameters_json()},
-                  {"metrics", metrics_json()},
+                  {"parameters", parameters_json("")},
+                  {"metrics", metrics_json("")},
                   {"reasons", reasons_json()},
                   {"units", units_json()},
                   {"materials", materials_json()},

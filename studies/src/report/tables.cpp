@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/tables.hpp"
 
+#include "yaml/yaml_text.hpp"
+
 #include <twum/core/metrics.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/engineering.hpp>
 #include <twum/io/units.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/motors/catalogue.hpp>
+#include <twum/motors/motor_file.hpp>
 #include <twum/motors/reasons.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -94,11 +99,39 @@ Json only_true(Json row) {
   return row;
 }
 
+// What a motor file gives for temperatures, wear and a drive that follows: a page keeps it as it is.
+bool is_kept(std::string_view entry) {
+  constexpr std::array<std::string_view, 5> kKept{"thermal.", "wear.", "operation",
+                                                  "stator.control", "stator.frequency_range"};
+  return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
+}
+
+void add_kept(const YamlNode& node, const std::string& path, Json& kept) {
+  for (const YamlEntry& entry : node.entries) {
+    const std::string here = path + entry.key;
+    if (entry.value.kind == YamlNode::Kind::mapping)
+      add_kept(entry.value, here + ".", kept);
+    else if (is_kept(here))
+      kept[here] = inline_text(entry.value);
+  }
+}
+
+Json kept_json(const std::string& name, const MotorDesign& design) {
+  Json kept = Json::object();
+  add_kept(motor_shape().write({name, design}), "", kept);
+  return kept;
+}
+
+bool names(std::string_view text, std::string_view name) {
+  return text.find(name) != std::string_view::npos;
+}
+
 }  // namespace
 
-Json parameters_json() {
+Json parameters_json(std::string_view text) {
   Json json = Json::object();
-  for (const ParameterInfo& row : parameter_table())
+  for (const ParameterInfo& row : parameter_table()) {
+    if (is_kept(row.file_entry) && !names(text, row.name)) continue;
     json[std::string(row.name)] = only_true(
         {{"symbol", row.symbol.empty() ? Json(nullptr) : Json(row.symbol)},
          {"unit", row.unit},
@@ -111,12 +144,15 @@ Json parameters_json() {
          {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
          {"alternative",
           row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}});
+  }
   return json;
 }
 
-Json metrics_json() {
+Json metrics_json(std::string_view text) {
   Json json = Json::object();
-  for (const MetricInfo& row : metric_table())
+  for (const MetricInfo& row : metric_table()) {
+    const bool aged = row.needs_thermal || row.needs_wear;
+    if (aged && !names(text, row.name)) continue;
     json[std::string(row.name)] = only_true(
         {{"unit", row.unit},
          {"text", row.text},
@@ -124,7 +160,8 @@ Json metrics_json() {
          {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
          {"modes", row.needs_modes},
          {"geometry", row.needs_geometry},
-         {"thermal", row.needs_thermal}});
+         {"aged", aged}});
+  }
   return json;
 }
 
@@ -178,6 +215,7 @@ Json stated_motor_json(const std::string& name, const MotorDesign& design) {
   Json values = Json::object();
   for (const ParameterInfo& row : parameter_table()) {
     const double value = get(design, row.parameter);
+    if (is_kept(row.file_entry)) continue;
     if (stated(design, wide, row.parameter) && std::isfinite(value))
       values[std::string(row.name)] = value;
   }
@@ -188,7 +226,8 @@ Json stated_motor_json(const std::string& name, const MotorDesign& design) {
           {"values", std::move(values)},
           {"branch", stator.branch == Branch::dead ? "dead" : "running"},
           {"inner_edge", stator.geometry ? Json(word_of(stator.geometry->support)) : Json(nullptr)},
-          {"table", std::move(table)}};
+          {"table", std::move(table)},
+          {"besides", kept_json(name, design)}};
 }
 
 }  // namespace twum::studies

@@ -6,17 +6,19 @@
 #include <twum/core/motor_design.hpp>
 
 #include <string>
+#include <string_view>
 
 /// Tables of parameters, metrics, units and materials for pages; internal.
 namespace twum::studies {
 
 /// {name: {"symbol", "unit", "text", "integer", "absolute", "entry": in the motor file, "min", "max" [SI],
-/// "required": in a motor file, "alternative": the parameter that may be given instead, or null}}
-Json parameters_json();
+/// "required": in a motor file, "alternative": the parameter that may be given instead, or null}}. What is of heat and wear, which a
+/// page does not compute, stands there only if a text names it.
+Json parameters_json(std::string_view text);
 
 /// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "share": shown in per cent,
-/// "modes", "geometry"}}
-Json metrics_json();
+/// "modes", "geometry", "aged": of heat or wear}}; likewise
+Json metrics_json(std::string_view text);
 
 /// {word: what it means} of missing answers
 Json reasons_json();
@@ -35,7 +37,8 @@ Json display_units_json(const Json& page);
 Json materials_json();
 
 /// A motor in the form of the interactive designer page: {"name", "values": {parameter: SI value} of what is stated,
-/// "branch", "inner_edge", "table": rows of the radial shape}
+/// "branch", "inner_edge", "table": rows of the radial shape, "besides": {entry of the motor file: its text} of what the page keeps
+/// without reading it}
 Json stated_motor_json(const std::string& name, const MotorDesign& design);
 
 }  // namespace twum::studies

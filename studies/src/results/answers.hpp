@@ -16,6 +16,9 @@ using Json = nlohmann::ordered_json;
 /// A number, or null where there is none.
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// {torque, speed}, or null.
+Json load_json(const std::optional<LoadPoint>& load);
+
 /// The content of summary.json.
 Json summary_value(const StudyResult& result);
 
@@ -23,6 +26,8 @@ Json summary_value(const StudyResult& result);
 Json answer_json(const CurveResult& result);
 Json answer_json(const FrequencyResult& result);
 Json answer_json(const MapResult& result);
+Json answer_json(const HeatResult& result);
+Json answer_json(const LifeResult& result);
 Json answer_json(const SweepResult& result);
 Json answer_json(const SensitivityResult& result);
 Json answer_json(const OptimizeResult& result);

@@ -40,13 +40,16 @@ const char* kind_words(StudyKind kind) {
     case StudyKind::calibrate: return "calibration";
     case StudyKind::frequency: return "sweep of the frequency";
     case StudyKind::map: return "map over speed and torque";
+    case StudyKind::heat: return "temperatures";
+    case StudyKind::life: return "life";
   }
   return "";
 }
 
 // Whether an evaluation is one point of a motor.
 bool of_points(StudyKind kind) {
-  return kind == StudyKind::curve || kind == StudyKind::frequency || kind == StudyKind::map;
+  return kind == StudyKind::curve || kind == StudyKind::frequency || kind == StudyKind::map ||
+         kind == StudyKind::heat || kind == StudyKind::life;
 }
 
 struct Badge {

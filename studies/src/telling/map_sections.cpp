@@ -32,7 +32,7 @@ Phrase member_phrase(const MapResult& answer, const Member& member) {
   return {name_part(answer.family->name), " ", value_part(member.value, answer.family->unit)};
 }
 
-Phrase point_phrase(const Point& point) {
+Phrase map_point_phrase(const Point& point) {
   return {value_part(point.torque, "N.m"), " at ", value_part(point.speed, "rad/s")};
 }
 
@@ -169,7 +169,7 @@ Chart map_chart(const MapResult& answer, std::size_t number) {
   add_contours(chart, grid, column);
   add_power_lines(chart, answer, member);
   for (const MapResult::Duty& duty : member.duty)
-    chart.marks.push_back({duty.at.speed, duty.at.torque, point_phrase(duty.at),
+    chart.marks.push_back({duty.at.speed, duty.at.torque, map_point_phrase(duty.at),
                            duty.at.status == "ok" ? "ink" : "c1"});
   return chart;
 }
@@ -201,7 +201,7 @@ void add_duty_rows(Table& table, const MapResult& answer, std::span<const char* 
     table.heads.push_back({name_part(answer.columns[place].name)});
   for (const Member& member : answer.members)
     for (const MapResult::Duty& duty : member.duty) {
-      std::vector<Phrase> row{member_phrase(answer, member), point_phrase(duty.at)};
+      std::vector<Phrase> row{member_phrase(answer, member), map_point_phrase(duty.at)};
       if (first)
         row.insert(row.end(), {reason_phrase(answer, duty), {value_part(duty.torque_left, "N.m")}});
       for (const std::size_t place : places)
@@ -265,7 +265,7 @@ Section ends(const MapResult& answer) {
         {member_phrase(answer, member),
          {best ? column_part(answer.columns[answer.efficiency], best->values[answer.efficiency])
                : Part("-")},
-         best ? point_phrase(*best) : Phrase{"-"},
+         best ? map_point_phrase(*best) : Phrase{"-"},
          {value_part(largest_torque(member), "N.m")},
          {value_part(member.largest_speed, "rad/s")},
          {count_part(held)},
@@ -304,7 +304,7 @@ Headline headline_of(const MapResult& answer, const StudyResult& /*result*/) {
   const StoredColumn& column = answer.columns[answer.efficiency];
   Phrase first{"The best ", name_part(column.name), " is ",
                strong(column_part(column, point.values[answer.efficiency])), ", with "};
-  append(first, point_phrase(point));
+  append(first, map_point_phrase(point));
   if (answer.family) append(first, {" and "}), append(first, member_phrase(answer, *best));
   append(first, {"; the drive holds at most ", strong(value_part(largest_torque(*best), "N.m")),
                  " and ", strong(value_part(best->largest_speed, "rad/s")), "."});

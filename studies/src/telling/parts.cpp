@@ -60,6 +60,7 @@ std::string written_share(double share, int digits, Writing writing) {
 }
 
 std::string written_value(double value, const std::string& si_unit, int digits, Writing writing) {
+  if (std::isinf(value)) return "without end";
   if (!std::isfinite(value)) return "-";
   const DisplayUnit unit = display_unit(value, si_unit);
   return with_unit(short_number(value / unit.divisor, digits, writing), unit.text, writing);
@@ -111,17 +112,19 @@ std::string read_load(const LoadPoint& load, Writing writing) {
   return value(load.torque, "N.m") + ", " + value(load.at, "rad/s");
 }
 
-// "speed at 0.5 N.m, warm" at the temperatures of the metric's own point, or "warm at" those of another one.
-std::string read_warm(const MetricRequest& request, const std::string& metric, Writing writing) {
-  MetricRequest plain = request;
-  plain.warm_at.reset();
-  const LoadPoint own{request.argument, request.at, request.torque};
-  return read_request(plain, metric, writing) + ", warm" +
-         (*request.warm_at == own ? "" : " at " + read_load(*request.warm_at, writing));
+// "speed at 0.5 N.m, warm" at the temperatures of the metric's own point, or "warm at" those of another one; likewise "worn".
+std::string read_aged(MetricRequest request, std::optional<LoadPoint> MetricRequest::*aged,
+                      const char* word, const std::string& metric, Writing writing) {
+  const LoadPoint load = *(request.*aged), own{request.argument, request.at, request.torque};
+  (request.*aged).reset();
+  const bool plain = load == own || load.argument == Argument::none;
+  return read_request(request, metric, writing) + ", " + word +
+         (plain ? "" : " at " + read_load(load, writing));
 }
 
 std::string read_request(const MetricRequest& request, const std::string& metric, Writing writing) {
-  if (request.warm_at) return read_warm(request, metric, writing);
+  if (request.worn_at) return read_aged(request, &MetricRequest::worn_at, "worn", metric, writing);
+  if (request.warm_at) return read_aged(request, &MetricRequest::warm_at, "warm", metric, writing);
   const std::string name = plain_name(metric);
   const auto at = [&](double value, const char* unit) {
     return " " + written_value(value, unit, 4, writing);

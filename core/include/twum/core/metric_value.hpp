@@ -76,7 +76,19 @@ enum class Metric : unsigned char {
   thermal_time_constant,
   continuous_torque,
   continuous_torque_at,
-  start_temperature
+  start_temperature,
+  on_time_at,
+  duty_limit_at,
+  stator_peak_temperature,
+  rotor_peak_temperature,
+  housing_peak_temperature,
+  contact_peak_temperature,
+  // of wear
+  wear_rate_at,
+  life_at,
+  life_revolutions_at,
+  life,
+  life_revolutions
 };
 
 /// Argument that a metric takes.
@@ -116,11 +128,18 @@ enum class MetricStatus : unsigned char {
   no_steady_temperature,  ///< as the motor warms it loses the point, and finds no steady temperature
   thermally_unstable,     ///< the temperatures of the motor do not settle
   temperature_out_of_range,  ///< so far from the reference that the drift of a parameter means nothing
-  too_hot_at_no_load         ///< a limit of temperature is broken without a load already
+  too_hot_at_no_load,        ///< a limit of temperature is broken without a load already
+  never_too_hot,             ///< no limit of temperature is reached, however long the motor runs
+  does_not_wear              ///< all of the contact sticks, so that the life has no end
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.
 const char* to_string(MetricStatus status) noexcept;
+
+/// True where the metric is a time that does not end: it keeps every lower limit.
+constexpr bool is_endless(MetricStatus status) {
+  return status == MetricStatus::never_too_hot || status == MetricStatus::does_not_wear;
+}
 
 /// A metric's value in SI units; NaN unless status is ok.
 struct MetricValue {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/load.hpp>
+#include <twum/core/metric_request.hpp>
 #include <twum/core/metric_value.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
@@ -14,19 +16,21 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::start_temperature) + 1;
+inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::life_revolutions) + 1;
 
 /// One row of the metric table.
 struct MetricInfo {
-  Metric metric;               ///< whose row it is
-  std::string_view name;       ///< as in studies, such as "torque_at"
-  std::string_view unit;       ///< SI unit, "1" if dimensionless
-  Argument argument;           ///< what it takes
-  std::string_view text;       ///< what it is, in one line
-  bool needs_modes{false};     ///< has a value only where the design has modal data of the stator
-  bool needs_geometry{false};  ///< has a value only where the stator is given by its geometry
-  bool needs_thermal{false};   ///< has a value only where the design has a thermal block
-  bool absolute{false};        ///< an absolute temperature, which may be compared with degC
+  Metric metric;                ///< whose row it is
+  std::string_view name;        ///< as in studies, such as "torque_at"
+  std::string_view unit;        ///< SI unit, "1" if dimensionless
+  Argument argument;            ///< what it takes
+  std::string_view text;        ///< what it is, in one line
+  bool needs_modes{false};      ///< has a value only where the design has modal data of the stator
+  bool needs_geometry{false};   ///< has a value only where the stator is given by its geometry
+  bool needs_thermal{false};    ///< has a value only where the design has a thermal block
+  bool absolute{false};         ///< an absolute temperature, which may be compared with degC
+  bool needs_operation{false};  ///< has a value only where the design has an operation
+  bool needs_wear{false};       ///< has a value only where the design has a wear block
 };
 
 /// The table, one row for each Metric, in its order; static lifetime.
@@ -37,31 +41,6 @@ const MetricInfo& info(Metric metric);
 
 /// The metric with a name such as "torque_at", if there is one.
 std::optional<Metric> find_metric(std::string_view name);
-
-/// A speed, a torque, or a torque that the drive holds at a speed; as the members of MetricRequest.
-struct LoadPoint {
-  Argument argument{Argument::torque};  ///< what `at` is; never none
-  double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
-  double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
-
-  /// True if both are the same.
-  bool operator==(const LoadPoint&) const = default;
-};
-
-/// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
-/// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed. With Argument::both the
-/// drive follows (held_point()).
-struct MetricRequest {
-  Metric metric{Metric::stall_torque};  ///< what is asked
-  Argument argument{Argument::none};    ///< what `at` is
-  double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
-  double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
-  /// Asks for the metric of the motor at the steady temperatures of this point; without it at the reference temperature.
-  std::optional<LoadPoint> warm_at{};
-
-  /// True if both ask the same.
-  bool operator==(const MetricRequest&) const = default;
-};
 
 /// A metric with its derivatives with respect to every parameter, in SI units.
 ///

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/load.hpp>
+#include <twum/core/metric_request.hpp>
 #include <twum/stator/geometry.hpp>
 
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -196,6 +200,7 @@ struct ThermalDrift {
   std::optional<double> youngs_modulus{}, loss_factor{}, shear_viscosity{};
   /// @}
   std::optional<double> kinetic_friction{};  ///< at that of the contact; the static one with it
+  std::optional<double> specific_wear{};     ///< likewise, of both bodies
   /// True if all members are equal.
   bool operator==(const ThermalDrift&) const = default;
 };
@@ -225,18 +230,43 @@ struct Thermal {
   bool operator==(const Thermal&) const = default;
 };
 
+/// A limit that a motor has to keep for its life.
+struct WearLimit {
+  MetricRequest request{};                                 ///< what is limited
+  double lower{-std::numeric_limits<double>::infinity()};  ///< SI
+  double upper{std::numeric_limits<double>::infinity()};   ///< SI
+  std::string text{};                                      ///< as typed; not needed
+  /// True if all members are equal.
+  bool operator==(const WearLimit&) const = default;
+};
+
+/// How the track wears, and what ends its life (theory of wear).
+struct Wear {
+  std::optional<double> specific_wear{};  ///< k_l of the lining [m^2/N]
+  double stator_specific_wear{0};         ///< k_s [m^2/N]
+  std::optional<double> depth_limit{};    ///< largest depth of both bodies together [m]
+  std::vector<WearLimit> until{};  ///< limits at the reference temperature that end the life, too
+  double preload_spring{0};        ///< k_F, rate of the spring that gives the preload [N/m]
+  /// E_lining, where modulus and thickness of the layer also stand for a flange [Pa]; else that of the layer
+  std::optional<double> lining_youngs_modulus{};
+  /// True if all members are equal.
+  bool operator==(const Wear&) const = default;
+};
+
 /// One motor: everything the contact model needs, in SI units. A plain value.
 ///
 /// The defaults are a 60 mm ring motor with one slice: the one of `examples/motors/ring-60.yaml`, but with all of the
 /// contact at the contact radius and without modal damping. The file has `radial_slices: auto`, by which its peak power
 /// differs by 6 %.
 struct MotorDesign {
-  Stator stator{};                   ///< the vibrating ring
-  ContactLayer layer{};              ///< between stator and rotor
-  Friction friction{};               ///< of the contact
-  double preload{160};               ///< F_N, total axial force [N]
-  Rotor rotor{};                     ///< pressed on the stator
-  std::optional<Thermal> thermal{};  ///< without it the motor has no temperatures
+  Stator stator{};                     ///< the vibrating ring
+  ContactLayer layer{};                ///< between stator and rotor
+  Friction friction{};                 ///< of the contact
+  double preload{160};                 ///< F_N, total axial force [N]
+  Rotor rotor{};                       ///< pressed on the stator
+  std::optional<Thermal> thermal{};    ///< without it the motor has no temperatures
+  std::optional<Wear> wear{};          ///< without it the motor does not wear
+  std::vector<LoadPhase> operation{};  ///< what it does, repeated for ever; may be empty
   /// True if all members are equal.
   bool operator==(const MotorDesign&) const = default;
 };

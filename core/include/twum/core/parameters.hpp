@@ -83,9 +83,16 @@ enum class Parameter : unsigned char {
   drift_loss_factor,
   drift_shear_viscosity,
   drift_kinetic_friction,
+  drift_specific_wear,
   one_node_rise,
   one_node_torque,
   one_node_time_constant,
+  // of wear
+  specific_wear,
+  stator_specific_wear,
+  wear_depth_limit,
+  preload_spring,
+  lining_youngs_modulus,
   // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
   substrate_inner_radius,
   substrate_outer_radius,

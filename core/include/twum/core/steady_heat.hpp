@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/heat.hpp>
+#include <twum/core/load.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor_design.hpp>
 
@@ -48,10 +49,26 @@ struct WarmUpPoint {
 std::vector<WarmUpPoint> warm_up(const MotorDesign& design, const LoadPoint& load,
                                  const std::vector<double>& times);
 
-/// A part of a cycle of loads.
-struct LoadPhase {
-  std::optional<LoadPoint> load{};  ///< without it the motor is off
-  double time{0};                   ///< how long, more than 0 [s]
+/// What a motor loses and gives away where its stator has a temperature, and the other parts have those of a steady state of the
+/// same distribution of losses. Where both are equal the motor is in a steady state (H3.4).
+struct HeatBalance {
+  MetricStatus status{MetricStatus::ok};  ///< ok, or why the motor has no such point
+  double temperature{0};                  ///< of the stator [K]
+  double losses{0};                       ///< of the motor at these temperatures [W]
+  double leaving{0};                      ///< heat that these temperatures send to the ambient [W]
+};
+
+/// The balance over the stator's temperature, at each of some temperatures of at least the ambient [K]. A stable state stands
+/// where the losses fall below the heat that leaves.
+/// @throws InputError as above
+std::vector<HeatBalance> heat_balance(const MotorDesign& design, const LoadPoint& load,
+                                      const std::vector<double>& stator_temperatures);
+
+/// A moment of a cycle.
+struct CyclePoint {
+  double time{0};                   ///< since the cycle began [s]
+  PartTemperatures temperatures{};  ///< absolute [K]
+  HeatLosses losses{};              ///< [W]
 };
 
 /// A cycle of loads that is repeated for ever, with losses that follow the temperatures.
@@ -59,10 +76,16 @@ struct LoadCycle {
   MetricStatus status{MetricStatus::ok};  ///< ok, or why a phase has no answer
   /// Temperatures at the beginning of each phase, then as the cycle ends, which is as it begins; absolute [K]
   std::vector<PartTemperatures> states{};
+  PartTemperatures peak{};           ///< the highest of each part; absolute [K]
+  PartTemperatures mean{};           ///< over the cycle (H5.2); absolute [K]
+  std::vector<HeatLosses> losses{};  ///< mean of each phase [W]
+  std::vector<CyclePoint> course{};  ///< at the times that were asked
 };
 
 /// The periodic state of a cycle (H5.1) by Newton's method on the map of a cycle; each phase by (H4.3).
+/// @param times  at which its course is wanted, within the cycle [s]
 /// @throws InputError as above, without a phase, and for a time that is not more than 0
-LoadCycle load_cycle(const MotorDesign& design, const std::vector<LoadPhase>& phases);
+LoadCycle load_cycle(const MotorDesign& design, const std::vector<LoadPhase>& phases,
+                     const std::vector<double>& times = {});
 
 }  // namespace twum

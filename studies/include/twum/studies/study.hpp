@@ -92,6 +92,41 @@ struct MapStudy {
   std::vector<DutyPoint> duty{};  ///< points that are marked; may be empty
 };
 
+/// Temperatures of a motor: steady ones and the warm-up under a load, and over a cycle of the motor's operation; of one motor, or
+/// of a family over one parameter.
+struct HeatStudy {
+  static constexpr std::string_view kName{"heat"};  ///< as in `kind:`
+  static Shape<HeatStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::optional<CurveStudy::Family> family{};  ///< none: the motor alone
+  std::optional<double> torque{};              ///< of the load [N m]
+  std::optional<double> speed{};  ///< of the rotor [rad/s]; with a torque the drive holds it
+  std::optional<double> time{};   ///< of the warm-up [s]; none: five slowest time constants
+  std::uint64_t points{101};      ///< of the warm-up, or of a cycle without a load, at least 2
+
+  /// The load; none: the operation alone.
+  std::optional<LoadPoint> load() const;
+};
+
+/// The life of a motor whose track wears, under a load or in the motor's operation; of one motor, or of a family over one
+/// parameter.
+struct LifeStudy {
+  static constexpr std::string_view kName{"life"};  ///< as in `kind:`
+  static Shape<LifeStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::optional<CurveStudy::Family> family{};  ///< none: the motor alone
+  std::optional<double> torque{};              ///< of the load [N m]
+  std::optional<double> speed{};  ///< of the rotor [rad/s]; with a torque the drive holds it
+  std::uint64_t points{51};       ///< depths between new and worn, at least 2
+
+  /// The load; none: the operation.
+  std::optional<LoadPoint> load() const;
+};
+
 /// How the designs of a sweep are chosen.
 enum class Sampling : unsigned char { grid, list, lhs, sobol };
 
@@ -267,8 +302,9 @@ struct CalibrateStudy {
 };
 
 /// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.
-using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
-                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy, MapStudy>;
+using Study =
+    std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy, SizeStudy,
+                 UncertaintyStudy, CalibrateStudy, FrequencyStudy, MapStudy, HeatStudy, LifeStudy>;
 
 /// The kinds of study.
 enum class StudyKind : unsigned char {
@@ -281,7 +317,9 @@ enum class StudyKind : unsigned char {
   uncertainty,
   calibrate,
   frequency,
-  map
+  map,
+  heat,
+  life
 };
 
 /// The kind of a study.

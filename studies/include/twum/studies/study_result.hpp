@@ -31,9 +31,9 @@ struct FailureRegion {
 };
 
 /// Answer of a study, by kind.
-using Answer =
-    std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult, ParetoResult,
-                 UncertaintyResult, CalibrateResult, FrequencyResult, MapResult>;
+using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
+                            ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult,
+                            MapResult, HeatResult, LifeResult>;
 
 /// Result of a study. A size study has the answer of optimize.
 struct StudyResult {

@@ -18,9 +18,10 @@ constexpr EngineeringPrefix kEngineeringPrefixes[] = {{"T", 1e12}, {"G", 1e9},  
                                                       {"k", 1e3},  {"", 1},     {"m", 1e-3},
                                                       {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
 
-// A prefix before kg, % or 1 would be wrong, and before a unit that contains kg unusual. Before a power it belongs to
-// the base: mm^2 is a millionth of m^2.
+// A prefix before kg, %, 1, degC, minutes or hours would be wrong, and before a unit that contains kg unusual. Before a power it
+// belongs to the base: mm^2 is a millionth of m^2.
 bool takes_prefix(std::string_view si_unit) {
+  if (si_unit == "degC" || si_unit == "min" || si_unit == "h") return false;
   const std::size_t end = si_unit.find_first_of("./^(");
   const bool power = end != std::string_view::npos && (si_unit[end] == '^' || si_unit[end] == '(');
   return !power && !si_unit.starts_with("kg") && !si_unit.starts_with("1") &&
@@ -63,6 +64,7 @@ DisplayUnit display_unit(double size, std::string_view si_unit) {
 std::string printed_unit(std::string_view unit) {
   std::string text(unit);
   if (text.starts_with("u")) text.replace(0, 1, "µ");
+  replace_all(text, "degC", "°C");
   replace_all(text, ".", "·");
   replace_all(text, "^2", "²");
   replace_all(text, "^3", "³");

@@ -117,6 +117,7 @@ inline constexpr NamedDimension kDimensions[] = {
     {"kg.m^2", "moment of inertia"},
     {"W/K", "conductance for heat"},
     {"J/K", "heat capacity"},
+    {"m^2/N", "specific wear"},
     {"W/(m.K)", "conductivity for heat"},
     {"1/K", "change per kelvin"},
 };

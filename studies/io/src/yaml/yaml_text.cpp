@@ -26,22 +26,6 @@ std::string scalar_text(const std::string& text) {
   return is_plain(text) ? text : double_quoted(text);
 }
 
-std::string inline_text(const YamlNode& node) {
-  std::string out;
-  switch (node.kind) {
-    case YamlNode::Kind::scalar: return scalar_text(node.scalar);
-    case YamlNode::Kind::list:
-      for (const YamlNode& item : node.items) out += (out.empty() ? "" : ", ") + inline_text(item);
-      return "[" + out + "]";
-    case YamlNode::Kind::mapping:
-      for (const YamlEntry& entry : node.entries) {
-        out += (out.empty() ? "" : ", ") + entry.key + ": " + inline_text(entry.value);
-      }
-      return "{" + out + "}";
-    default: return "null";
-  }
-}
-
 // contains mappings of mappings, which are hard to read in one line
 bool is_deep(const YamlNode& node) {
   return std::any_of(node.entries.begin(), node.entries.end(), [](const YamlEntry& entry) {
@@ -57,6 +41,22 @@ std::string item_lines(const YamlNode& list, std::size_t depth) {
 }
 
 }  // namespace
+
+std::string inline_text(const YamlNode& node) {
+  std::string out;
+  switch (node.kind) {
+    case YamlNode::Kind::scalar: return scalar_text(node.scalar);
+    case YamlNode::Kind::list:
+      for (const YamlNode& item : node.items) out += (out.empty() ? "" : ", ") + inline_text(item);
+      return "[" + out + "]";
+    case YamlNode::Kind::mapping:
+      for (const YamlEntry& entry : node.entries) {
+        out += (out.empty() ? "" : ", ") + entry.key + ": " + inline_text(entry.value);
+      }
+      return "{" + out + "}";
+    default: return "null";
+  }
+}
 
 std::string double_quoted(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789abcdef";

@@ -114,6 +114,8 @@ void fill_from_material(GivenMotor& motor, std::string_view block) {
   if (motor.material.empty()) return;
   const Material& material = find_material(motor.material);
   motor.material.clear();
+  const MaterialValue* wear = material.find("specific_wear");
+  if (block == "contact_layer" && wear != nullptr) motor.lining_wear = wear->value;
   const std::string prefix = std::string(block) + ".";
   for (const ParameterInfo& row : parameter_table()) {
     const bool alternative_given = row.alternative && motor.value(*row.alternative);

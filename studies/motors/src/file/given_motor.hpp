@@ -22,7 +22,10 @@ struct GivenMotor {
   std::optional<std::vector<double>> frequency_range{};  ///< lowest and highest [Hz]
   std::optional<EquivalentCircuit> circuit{};
   std::optional<stator::InnerEdge> inner_edge{};  ///< of the geometry
-  std::string material{};                         ///< of the block that is being read
+  std::vector<LoadPhase> operation{};
+  std::vector<WearLimit> until{};
+  std::optional<double> lining_wear{};  ///< specific wear of the layer's material [m^2/N]
+  std::string material{};               ///< of the block that is being read
 
   std::optional<double> value(Parameter parameter) const {
     const auto found = std::find_if(values.begin(), values.end(),

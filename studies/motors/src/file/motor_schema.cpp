@@ -4,6 +4,8 @@
 
 #include "file/circuit_shape.hpp"
 #include "file/geometry_shape.hpp"
+#include "file/operation_shape.hpp"
+#include "file/wear_shape.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/plate.hpp>
@@ -236,6 +238,7 @@ constexpr Section kSections[] = {
     {"thermal.drift", "relative change per kelvin of the motor's parameters", nullptr, false},
     {"thermal.one_node", "the whole motor as one mass, from a data sheet, in place of the others",
      nullptr, false},
+    {"wear", "how the track wears, and what ends its life", nullptr, false},
     {"stator.geometry",
      "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
      nullptr, false},
@@ -294,19 +297,32 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
   if (extent == Extent::part) return fields;  // without what is no parameter
   if (path == "stator.geometry.") fields.push_back(support_field());
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
+  if (path == "wear.")
+    fields.push_back(optional<GivenMotor>("until", until_shape(), &GivenMotor::until, "none"));
   if (path == "stator.") {
     fields.push_back(branch_field());
     fields.push_back(control_field());
     fields.push_back(frequency_range_field());
   }
+  if (path.empty())
+    fields.push_back(hidden(
+        optional<GivenMotor>("operation", operation_shape(), &GivenMotor::operation, "none")));
   return fields;
 }
 
-// Those of the file, and those that follow from an equivalent circuit.
+bool wears(const GivenMotor& given) {
+  return !given.until.empty() || std::ranges::any_of(given.values, [](const ParameterValue& one) {
+    return info(one.first).file_entry.starts_with("wear.");
+  });
+}
+
+// Those of the file, and those that follow from an equivalent circuit or the wear of a lining.
 std::vector<ParameterValue> all_values(const GivenMotor& given) {
   std::vector<ParameterValue> values = given.values;
   if (given.circuit)
     for (const ParameterValue& one : modal_data(*given.circuit)) values.push_back(one);
+  if (given.lining_wear && wears(given) && !given.value(Parameter::specific_wear))
+    values.emplace_back(Parameter::specific_wear, *given.lining_wear);
   return values;
 }
 
@@ -322,11 +338,16 @@ MotorFile motor_of(const GivenMotor& given) {
   if (given.frequency_range)
     blank.stator.frequency_range = {given.frequency_range->front(), given.frequency_range->back()};
   blank.stator.geometry = blank_geometry(given);
+  blank.operation = given.operation;
+  if (!given.until.empty()) blank.wear.emplace().until = given.until;
   return {given.name, with(blank, all_values(given))};
 }
 
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   if (!diagnostics.empty()) return false;  // errors were added before; the motor is not made
+  if (!check_operation(motor.operation, motor.value(Parameter::voltage).has_value(), given,
+                       diagnostics))
+    return false;
   try {
     const MotorDesign design = motor_of(motor).design;
     if (!design.stator.geometry) return true;
@@ -348,6 +369,8 @@ GivenMotor given_by(const MotorFile& motor) {
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   if (motor.design.stator.control != DriveControl::frequency)
     given.control = motor.design.stator.control;
+  given.operation = motor.design.operation;
+  if (motor.design.wear) given.until = motor.design.wear->until;
   if (const auto& range = motor.design.stator.frequency_range)
     given.frequency_range = std::vector{range->first, range->second};
   for (const ParameterInfo& row : parameter_table())

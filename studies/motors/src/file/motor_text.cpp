@@ -7,10 +7,7 @@ namespace twum::motors {
 namespace {
 
 std::string in_line(const YamlNode& node) {
-  if (node.kind != YamlNode::Kind::list) return node.scalar;
-  std::string text;
-  for (const YamlNode& item : node.items) text += (text.empty() ? "" : ", ") + in_line(item);
-  return "[" + text + "]";
+  return node.kind == YamlNode::Kind::list ? inline_text(node) : node.scalar;
 }
 
 // Every entry on a line of its own.

@@ -119,18 +119,39 @@ void refuse_symbol(const ParameterInfo& row, std::string_view name) {
                        "'; a unit is written without blanks, such as '5 kW/m^2'");
 }
 
-constexpr std::string_view kWarm = "warm";
-constexpr const char* kWarmUsage =
-    "write 'warm(speed_at(0.5 N.m))', or 'warm(stall_torque, 0.5 N.m)' for the temperatures of a "
-    "point";
+// warm() and worn(): another metric of the motor after a time under a load.
+struct Aged {
+  std::string_view name;
+  const char* usage;
+  bool (*refuses)(const MetricInfo&);  // metrics that are about this themselves
+  std::optional<LoadPoint> MetricRequest::*load;
+};
+constexpr std::array kAged{
+    Aged{"warm",
+         "write 'warm(speed_at(0.5 N.m))', 'warm(stall_torque, 0.5 N.m)' for the temperatures of a "
+         "point, or 'warm(stall_torque)' for those of the motor's operation",
+         [](const MetricInfo& row) { return row.needs_thermal || row.needs_wear; },
+         &MetricRequest::warm_at},
+    Aged{"worn",
+         "write 'worn(speed_at(0.5 N.m))' for the end of the life in the motor's operation, or "
+         "'worn(stall_torque, 0.5 N.m)' for that under a load that stays",
+         [](const MetricInfo& row) { return row.needs_wear; }, &MetricRequest::worn_at}};
 
-// A metric with its own argument, for warm().
-MetricRequest parse_warmed(std::string_view piece, std::size_t at) {
+const Aged* find_aged(std::string_view name) {
+  const auto* found =
+      std::find_if(kAged.begin(), kAged.end(), [&](const Aged& one) { return one.name == name; });
+  return found == kAged.end() ? nullptr : found;
+}
+
+// A metric with its own argument, for warm() and worn().
+MetricRequest parse_aged_metric(const Aged& aged, std::string_view piece, std::size_t at) {
   const std::size_t open = piece.find('(');
   const auto metric = find_metric(trimmed(piece.substr(0, open)));
-  if (!metric || info(*metric).needs_thermal)
-    throw ValueError("warm: " + quoted(piece) + " is no metric of the motor at a temperature",
-                     kWarmUsage, at);
+  if (!metric || aged.refuses(info(*metric)))
+    throw ValueError(std::string(aged.name) + ": " + quoted(piece) +
+                         (aged.name == "warm" ? " is no metric of the motor at a temperature"
+                                              : " is no metric of a worn motor"),
+                     aged.usage, at);
   try {
     return parse_request(info(*metric), piece, open);
   } catch (const ValueError& error) {
@@ -138,37 +159,37 @@ MetricRequest parse_warmed(std::string_view piece, std::size_t at) {
   }
 }
 
-// "warm(speed_at(0.5 N.m))", "warm(stall_torque, 0.5 N.m)", "warm(stall_torque, 0.5 N.m, 100 rpm)"
-MetricRequest parse_warm(std::string_view text, std::size_t open) {
+// "warm(speed_at(0.5 N.m))", "warm(stall_torque, 0.5 N.m)", "warm(stall_torque, 0.5 N.m, 100 rpm)"; "warm(stall_torque)" is at the
+// mean temperatures of the operation, "worn(X)" always at the end of its life.
+MetricRequest parse_aged(const Aged& aged, std::string_view text, std::size_t open) {
   if (open == std::string_view::npos)
-    throw ValueError(quoted(text) + " needs a metric in parentheses", kWarmUsage, text.size());
+    throw ValueError(quoted(text) + " needs a metric in parentheses", aged.usage, text.size());
   const auto pieces = split_list(text.substr(open + 1, text.size() - open - 2));
   const auto at = [&](std::size_t i) {
     return static_cast<std::size_t>(pieces[i].data() - text.data());
   };
   if (pieces.size() > 3)
-    throw ValueError("warm takes a metric, a torque and a speed at most", kWarmUsage, at(3));
-  MetricRequest request = parse_warmed(pieces[0], at(0));
-  if (pieces.size() == 1) {
-    if (request.argument == Argument::none)
-      throw ValueError(
-          quoted(pieces[0]) + " has no point of its own whose temperatures would count",
-          "name one, such as 'warm(" + std::string(pieces[0]) + ", 0.5 N.m)'", at(0));
-    request.warm_at = LoadPoint{request.argument, request.at, request.torque};
-    return request;
+    throw ValueError(std::string(aged.name) + " takes a metric, a torque and a speed at most",
+                     aged.usage, at(3));
+  MetricRequest request = parse_aged_metric(aged, pieces[0], at(0));
+  LoadPoint own{Argument::none, 0, 0};
+  if (aged.load == &MetricRequest::warm_at)
+    own = LoadPoint{request.argument, request.at, request.torque};
+  if (pieces.size() > 1) {
+    MetricInfo load;
+    load.name = aged.name, load.argument = Argument::speed_or_torque;
+    const MetricRequest point = pieces.size() == 2 ? parse_argument(load, pieces[1], at(1))
+                                                   : parse_held(load, pieces[1], pieces[2], text);
+    own = LoadPoint{point.argument, point.at, point.torque};
   }
-  MetricInfo load;
-  load.name = kWarm, load.argument = Argument::speed_or_torque;
-  const MetricRequest point = pieces.size() == 2 ? parse_argument(load, pieces[1], at(1))
-                                                 : parse_held(load, pieces[1], pieces[2], text);
-  request.warm_at = LoadPoint{point.argument, point.at, point.torque};
+  request.*aged.load = own;
   return request;
 }
 
 Term parse_term(std::string_view text, bool whole_text) {
   const std::size_t open = text.find('(');
   const std::string_view name = trimmed(text.substr(0, open));
-  if (name == kWarm) return parse_warm(text, open);
+  if (const Aged* aged = find_aged(name)) return parse_aged(*aged, text, open);
   if (const auto metric = find_metric(name)) return parse_request(info(*metric), text, open);
   const auto parameter = find_parameter(name);
   if (!parameter) unknown_name(name, 0);
@@ -183,7 +204,8 @@ Term parse_term(std::string_view text, bool whole_text) {
 // True if the text begins with the name of a metric or parameter: not if it stands in parentheses.
 bool find_term(std::string_view text) {
   const std::string_view name = trimmed(text.substr(0, text.find('(')));
-  return name == kWarm || find_metric(name).has_value() || find_parameter(name).has_value();
+  return find_aged(name) != nullptr || find_metric(name).has_value() ||
+         find_parameter(name).has_value();
 }
 
 // Place of a term in a list, to which it is added if it is new.
@@ -308,6 +330,8 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
     const bool meant = (!row.needs_modes || has_modal_data(design)) &&
                        (!row.needs_geometry || design.stator.geometry) &&
                        (!row.needs_thermal || has_temperature(design, row.metric)) &&
+                       (!row.needs_operation || !design.operation.empty()) &&
+                       (!row.needs_wear || design.wear) &&
                        (!needs_voltage(row.metric) || design.stator.voltage);
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }

@@ -190,7 +190,7 @@ std::string unanswered(std::span<const MetricExpression> expressions,
                        std::span<const MetricValue> values) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].status == MetricStatus::ok) continue;
+    if (values[i].status == MetricStatus::ok || is_endless(values[i].status)) continue;
     text += (text.empty() ? "" : "; ") + expressions[i].text + ": " + to_string(values[i].status);
   }
   return text;

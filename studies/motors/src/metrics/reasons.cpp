@@ -62,7 +62,12 @@ std::span<const Reason> reasons() {
        "its value or leave its range; lower the voltage, or check the entries of thermal.drift"},
       {MetricStatus::too_hot_at_no_load,
        "a limit of temperature is broken without a load already; lower the voltage or run the "
-       "motor a part of the time only, since less torque does not help"}};
+       "motor a part of the time only, since less torque does not help"},
+      {MetricStatus::never_too_hot,
+       "no limit of temperature is reached, however long the motor runs with this load"},
+      {MetricStatus::does_not_wear,
+       "all of the contact sticks under this load, so that nothing wears and the life has no "
+       "end"}};
   return kReasons;
 }
 

@@ -18,13 +18,18 @@ NamedValue named(const MotorDesign& motor, Parameter parameter) {
   return {std::string(row.name), std::string(row.unit), get(motor, parameter)};
 }
 
+// Infinite is a time that does not end.
+double value_of(const MetricValue& answer) {
+  if (is_endless(answer.status)) return HUGE_VAL;
+  return answer.status == MetricStatus::ok ? answer.value : kNoValue;
+}
+
 std::vector<double> values_of(const MotorDesign& design,
                               const std::vector<MetricExpression>& metrics) {
   std::vector<MetricValue> answers(metrics.size());
   ExpressionEvaluator(metrics).evaluate(Motor(design), answers);
   std::vector<double> values;
-  for (const MetricValue& answer : answers)
-    values.push_back(answer.status == MetricStatus::ok ? answer.value : kNoValue);
+  for (const MetricValue& answer : answers) values.push_back(value_of(answer));
   return values;
 }
 

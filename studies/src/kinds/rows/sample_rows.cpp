@@ -7,6 +7,7 @@
 #include <twum/core/batch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -61,6 +62,16 @@ std::vector<StoredColumn> RowEvaluator::columns() const {
   return columns;
 }
 
+namespace {
+
+// Infinite is a time that does not end, which limits can count; its status says why.
+double stored_value(const MetricValue& metric) {
+  if (is_endless(metric.status)) return HUGE_VAL;
+  return metric.status == MetricStatus::ok ? metric.value : kNoValue;
+}
+
+}  // namespace
+
 void RowEvaluator::evaluate(std::span<const double> variables, StoredRow& row) const {
   row.values.assign(variables.begin(), variables.end());
   const auto outcome = ask_design([&] { return varied_.motor(variables); },
@@ -71,8 +82,7 @@ void RowEvaluator::evaluate(std::span<const double> variables, StoredRow& row) c
     return;
   }
   const auto& values = std::get<std::vector<MetricValue>>(outcome);
-  for (const MetricValue& metric : values)
-    row.values.push_back(metric.status == MetricStatus::ok ? metric.value : kNoValue);
+  for (const MetricValue& metric : values) row.values.push_back(stored_value(metric));
   const std::string reason = unanswered(metrics_, values);
   row.status = reason.empty() ? "ok" : reason;
 }

@@ -18,6 +18,13 @@ MotorDesign family_motor(const MotorDesign& base, Parameter parameter, double va
   }
 }
 
+std::optional<LoadPoint> load_point(const std::optional<double>& torque,
+                                    const std::optional<double>& speed) {
+  if (torque && speed) return LoadPoint{Argument::both, *speed, *torque};
+  if (torque) return LoadPoint{Argument::torque, *torque, 0};
+  return speed ? std::optional(LoadPoint{Argument::speed, *speed, 0}) : std::nullopt;
+}
+
 StoredColumn family_column(Parameter parameter) {
   const ParameterInfo& row = info(parameter);
   return {std::string(row.name), std::string(row.unit)};

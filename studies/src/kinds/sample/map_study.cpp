@@ -2,20 +2,18 @@
 #include "kinds/rows/sample_rows.hpp"
 #include "kinds/sample/family.hpp"
 
+#include <twum/base/no_value.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/motors/curve_points.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <utility>
 
 namespace twum::studies {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct MapColumn {
   const char* name;
@@ -69,13 +67,13 @@ class MapColumns {
   // NaN where the drive does not hold the point.
   std::vector<double> values(const Motor& motor, double torque, double speed,
                              const HeldPoint& held) const {
-    if (held.status != HeldStatus::ok) return std::vector<double>(names_.size(), kNone);
+    if (held.status != HeldStatus::ok) return std::vector<double>(names_.size(), kNoValue);
     std::vector<double> values;
     for (const MapColumn& one : held_) values.push_back(one.value(held));
     for (const CurveColumn& one : curve_) values.push_back(one.value(held.point));
     if (!extra_) return values;
     const MetricValue more = evaluate(motor, {*extra_, Argument::both, speed, torque});
-    values.push_back(more.status == MetricStatus::ok ? more.value : kNone);
+    values.push_back(more.status == MetricStatus::ok ? more.value : kNoValue);
     return values;
   }
 
@@ -103,7 +101,7 @@ struct MappedMotor {
 };
 
 std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& base) {
-  if (!asked.family) return {{kNone, Motor(base)}};
+  if (!asked.family) return {{kNoValue, Motor(base)}};
   std::vector<MappedMotor> motors;
   for (const double value : asked.family->values)
     motors.push_back({value, Motor(family_motor(base, asked.family->parameter, value))});
@@ -111,7 +109,7 @@ std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& bas
 }
 
 double value_or_none(const MetricValue& value) {
-  return value.status == MetricStatus::ok ? value.value : kNone;
+  return value.status == MetricStatus::ok ? value.value : kNoValue;
 }
 
 double largest_torque(const Motor& motor, double speed) {
@@ -261,7 +259,7 @@ class MapRun : public StudyKindRun {
 
   MapResult::Corner corner_at(std::size_t number, std::uint64_t i) const {
     const double speed = speed_of(i), torque = ends().largest_torque[number][i];
-    MapResult::Corner corner{speed, torque, std::vector<double>(columns_.names().size(), kNone)};
+    MapResult::Corner corner{speed, torque, std::vector<double>(columns_.names().size(), kNoValue)};
     // At the end itself rounding decides, and a millionth below what friction carries there is no wave (Y2.1).
     if (!std::isnan(torque))
       corner.values = point_at(motors_[number].motor, (1 - 1e-5) * torque, speed).values;
@@ -272,7 +270,7 @@ class MapRun : public StudyKindRun {
     const HeldPoint held = held_point(motor.design(), duty.torque, duty.speed);
     return {{duty.speed, duty.torque, to_string(held.status),
              columns_.values(motor, duty.torque, duty.speed, held)},
-            held.status == HeldStatus::ok ? kNone : held.needed,
+            held.status == HeldStatus::ok ? kNoValue : held.needed,
             unit_of(held),
             largest_torque(motor, duty.speed) - duty.torque};
   }

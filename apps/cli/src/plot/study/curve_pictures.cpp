@@ -23,22 +23,22 @@ struct Quantity {
   double (*value)(const OperatingPoint&);
 };
 
-constexpr Quantity kTorque{"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }};
-constexpr Quantity kPower{"output power", "W",
-                          [](const OperatingPoint& p) { return p.output_power; }};
-constexpr Quantity kFriction{"friction loss", "W",
-                             [](const OperatingPoint& p) { return p.friction_power; }};
+constexpr Quantity kTorquePanel{"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }};
+constexpr Quantity kPowerPanel{"output power", "W",
+                               [](const OperatingPoint& p) { return p.output_power; }};
+constexpr Quantity kFrictionPanel{"friction loss", "W",
+                                  [](const OperatingPoint& p) { return p.friction_power; }};
 
 // Where the rotor is driven from outside, there is no output: the efficiency is 0, and its line ends on the axis.
-constexpr Quantity kOverall{"overall efficiency", "%",
-                            [](const OperatingPoint& p) { return p.overall_efficiency(); }};
-constexpr Quantity kEfficiency{"efficiency", "%", [](const OperatingPoint& p) {
-                                 return p.output_power <= 0 ? 0 : p.efficiency();
-                               }};
-constexpr Quantity kContact{"contact efficiency", "%", [](const OperatingPoint& p) {
-                              return p.output_power <= 0 ? 0 : p.contact_efficiency();
-                            }};
-constexpr Quantity kTerminals[] = {
+constexpr Quantity kOverallPanel{"overall efficiency", "%",
+                                 [](const OperatingPoint& p) { return p.overall_efficiency(); }};
+constexpr Quantity kEfficiencyPanel{"efficiency", "%", [](const OperatingPoint& p) {
+                                      return p.output_power <= 0 ? 0 : p.efficiency();
+                                    }};
+constexpr Quantity kContactPanel{"contact efficiency", "%", [](const OperatingPoint& p) {
+                                   return p.output_power <= 0 ? 0 : p.contact_efficiency();
+                                 }};
+constexpr Quantity kTerminalPanels[] = {
     {"wave amplitude", "m", [](const OperatingPoint& p) { return p.amplitude; }},
     {"current of a phase", "A", [](const OperatingPoint& p) { return p.phase_current; }},
     {"phase lag", "rad", [](const OperatingPoint& p) { return p.phase_lag; }},
@@ -48,8 +48,8 @@ bool at_terminals(const NamedMotor& one) { return has_modal_data(one.motor.desig
 bool damped(const NamedMotor& one) { return modal_damping(one.motor.design()) > 0; }
 
 Quantity efficiency_of(const std::vector<NamedMotor>& motors) {
-  if (std::all_of(motors.begin(), motors.end(), at_terminals)) return kOverall;
-  return std::any_of(motors.begin(), motors.end(), damped) ? kEfficiency : kContact;
+  if (std::all_of(motors.begin(), motors.end(), at_terminals)) return kOverallPanel;
+  return std::any_of(motors.begin(), motors.end(), damped) ? kEfficiencyPanel : kContactPanel;
 }
 
 // A motor with output power is not shown beyond its no-load speed, where it is driven from outside.
@@ -164,15 +164,15 @@ void add_curve_pictures(std::vector<Picture>& pictures, const std::string& title
                         const std::vector<studies::MotorLimit>& limits) {
   if (motors.empty()) return;
   if (motors.size() == 1 && limits.empty()) return add_alone(pictures, title, motors.front().motor);
-  Chart curves{title, {panel_of(motors, kTorque, true)}, true};
+  Chart curves{title, {panel_of(motors, kTorquePanel, true)}, true};
   add_squeals(curves.panels.front(), motors);
   add_limits(curves.panels.front(), limits);
-  for (const Quantity& quantity : {kPower, efficiency_of(motors), kFriction})
+  for (const Quantity& quantity : {kPowerPanel, efficiency_of(motors), kFrictionPanel})
     curves.panels.push_back(panel_of(motors, quantity, false));
   pictures.push_back(picture_of("curves", curves));
   if (!std::all_of(motors.begin(), motors.end(), at_terminals)) return;
   Chart terminals{title, {}, true};
-  for (const Quantity& quantity : kTerminals)
+  for (const Quantity& quantity : kTerminalPanels)
     terminals.panels.push_back(panel_of(motors, quantity, terminals.panels.empty()));
   pictures.push_back(picture_of("terminals", terminals));
 }

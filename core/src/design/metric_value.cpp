@@ -28,6 +28,8 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::thermally_unstable: return "thermally-unstable";
     case MetricStatus::temperature_out_of_range: return "temperature-out-of-range";
     case MetricStatus::too_hot_at_no_load: return "too-hot-at-no-load";
+    case MetricStatus::never_too_hot: return "never-too-hot";
+    case MetricStatus::does_not_wear: return "does-not-wear";
   }
   return "unresolved";
 }

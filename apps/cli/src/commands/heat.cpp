@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "options.hpp"
+#include "study_command.hpp"
+
+#include <twum/studies/study.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kHeatExamples = R"text(Examples:
+  twum heat examples/motors/warm-60.yaml --torque "0.5 N.m" --plot warm-up.svg
+  twum heat warm-60.yaml --torque "0.5 N.m" --speed "60 rpm"
+  twum heat warm-60.yaml --torque "0.5 N.m" --time "10 min" --format csv -o warm-up.csv
+  twum heat warm-60.yaml                               the operation of the motor file)text";
+
+struct HeatOptions {
+  StudyCommand study;
+  std::string torque, speed, time;
+  std::uint64_t points{studies::HeatStudy{}.points};
+};
+
+studies::HeatStudy asked_by(const HeatOptions& options) {
+  studies::HeatStudy asked;
+  asked.points = options.points;
+  if (!options.torque.empty()) asked.torque = parse_torque("--torque", options.torque);
+  if (!options.speed.empty()) asked.speed = parse_speed("--speed", options.speed);
+  if (asked.torque && asked.speed) more_than_zero("--speed", *asked.speed, options.speed);
+  if (!options.time.empty())
+    asked.time = more_than_zero("--time", parse_time("--time", options.time), options.time);
+  return asked;
+}
+
+}  // namespace
+
+void add_heat(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<HeatOptions>();
+  CLI::App* command = app.add_subcommand(
+      "heat", "Temperatures under a load and over the operation, and how long the motor may run");
+  add_study_options(*command, options->study);
+  command
+      ->add_option("--torque", options->torque,
+                   "Load torque (default: none; the motor's operation alone)")
+      ->type_name("TORQUE");
+  command
+      ->add_option("--speed", options->speed,
+                   "Speed of the rotor; with a torque the drive holds it while the motor warms")
+      ->type_name("SPEED");
+  command
+      ->add_option("--time", options->time,
+                   "How long the warm-up is followed (default: five times the slowest time "
+                   "constant)")
+      ->type_name("TIME");
+  command->add_option("--points", options->points, "Number of times (default: 101)")
+      ->check(CLI::Range(2, 100000))
+      ->type_name("N");
+  command->footer(kHeatExamples);
+  command->callback([options, &action] {
+    action = [options] { return run_study_command(options->study, asked_by(*options)); };
+  });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "formats.hpp"
+#include "options.hpp"
+
+#include <twum/studies/study.hpp>
+
+#include <string>
+
+namespace twum::cli {
+
+/// A command that asks what a kind of study asks, of one motor: runs it without a directory, writes the answer, and draws its
+/// first picture.
+struct StudyCommand {
+  MotorOptions motor;
+  OutputOptions output;
+  std::string plot;  ///< file of the picture; empty: none
+};
+
+/// Adds its options; the answer is a table, CSV or JSON.
+void add_study_options(CLI::App& command, StudyCommand& options);
+
+/// @param asked   entries of the study, which have the names of the options
+/// @return the exit status
+int run_study_command(const StudyCommand& options, studies::Study asked);
+
+}  // namespace twum::cli

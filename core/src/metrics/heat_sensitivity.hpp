@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "metrics/heat_course.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace twum::core {
+
+/// How a course of temperatures moves with the parameters of the design (H6.4).
+class CourseSensitivity {
+ public:
+  CourseSensitivity(const MotorDesign& design, const HeatCourse& course,
+                    bool fixed_static_friction);
+
+  /// Derivatives of the parts' temperatures at a moment of a lap that begins at ambient.
+  /// @throws SearchFailure where the losses have no derivatives; likewise below
+  std::array<Gradient, kParts> from_cold(const HeatCourse::Lap& lap,
+                                         const HeatCourse::Moment& moment);
+  /// Those of a lap that returns.
+  std::array<Gradient, kParts> in_cycle(const HeatCourse::Lap& lap,
+                                        const HeatCourse::Moment& moment);
+  /// Those of the mean temperatures of a lap that returns.
+  std::array<Gradient, kParts> of_mean(const HeatCourse::Lap& lap);
+
+ private:
+  /// By every parameter, and by the three masses as the course begins.
+  static constexpr std::size_t kColumns = kParameterCount + kMasses;
+  using Column = std::array<double, kColumns>;
+  /// Derivatives of a state of the masses, and of the heat since the course began.
+  struct Moves {
+    std::array<Column, kMasses> theta{};
+    std::array<Column, kSources> heat{};
+  };
+  /// What the parameters do at a state of the masses that stays.
+  struct Local {
+    HeatState state;
+    std::array<Column, kParts> parts{};     ///< temperatures at losses that stay
+    std::array<Column, kSources> losses{};  ///< at temperatures of the nodes that stay
+    Matrix3 settle, jacobian;
+    std::array<Column, kMasses> rate{};  ///< of theta'
+  };
+
+  Local local(std::size_t phase, const HeatState& state);
+  std::array<Column, kSources> losses(std::size_t phase, const HeatState& state);
+  void add_network(std::size_t phase, const HeatState& state, Local& into) const;
+  Vector3 nodes(const Local& at, std::size_t column, const Vector3& theta) const;
+  Sources<double> losses(const Local& at, std::size_t column, const Vector3& theta) const;
+  Moves step(const Moves& from, const Local& a, const Local& middle, const Local& b,
+             double h) const;
+  Moves through(std::size_t phase, const HeatState& from, double duration, Moves moves);
+  Moves to(const HeatCourse::Lap& lap, std::size_t phases);
+  Moves to(const HeatCourse::Lap& lap, const HeatCourse::Moment& moment);
+  Moves returning(const HeatCourse::Lap& lap);
+  std::array<Gradient, kParts> parts(const HeatCourse::Moment& moment, const Moves& moves);
+  static void begin_with(const std::array<Gradient, kMasses>& start, Moves& moves);
+
+  const MotorDesign& design_;
+  const HeatCourse& course_;
+  bool fixed_;
+  std::vector<NetworkNumber> numbers_;
+  NetworkMatrices<double> still_;
+};
+
+}  // namespace twum::core

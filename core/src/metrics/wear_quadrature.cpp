@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/wear_quadrature.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include <cmath>
+
+namespace twum::core {
+namespace {
+
+using Kronrod = boost::math::quadrature::gauss_kronrod<double, 21>;
+using Gauss = boost::math::quadrature::gauss<double, 10>;
+using Gauss3 = boost::math::quadrature::gauss<double, 3>;
+
+constexpr double kEnough = 1e-8;
+constexpr int kHalvings = 4;
+
+void add_to(std::vector<double>& sum, double weight, const std::vector<double>& numbers) {
+  if (sum.empty()) sum.assign(numbers.size(), 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) sum[i] += weight * numbers[i];
+}
+
+// Nodes of a rule from the middle outwards, on both sides.
+template <typename Nodes, typename Use>
+void for_nodes(const Nodes& nodes, double from, double to, Use use) {
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    use(i, middle + half * nodes[i]);
+    if (nodes[i] != 0) use(i, middle - half * nodes[i]);
+  }
+}
+
+std::vector<double> halved(const NumbersAt& numbers, double from, double to, int halvings) {
+  const double half = 0.5 * (to - from);
+  std::vector<double> sum;
+  double by_gauss = 0;
+  // Those of Gauss' rule are every second one of Kronrod's, from the second on.
+  for_nodes(Kronrod::abscissa(), from, to, [&](std::size_t i, double depth) {
+    const std::vector<double> found = numbers(depth);
+    add_to(sum, half * Kronrod::weights()[i], found);
+    if (i % 2 == 1) by_gauss += half * Gauss::weights()[i / 2] * found[0];
+  });
+  if (halvings == 0 || !(std::fabs(by_gauss - sum[0]) > kEnough * std::fabs(sum[0]))) return sum;
+  std::vector<double> both = halved(numbers, from, from + half, halvings - 1);
+  add_to(both, 1, halved(numbers, from + half, to, halvings - 1));
+  return both;
+}
+
+}  // namespace
+
+std::vector<double> integral_over_depth(const NumbersAt& numbers, double from, double to) {
+  return halved(numbers, from, to, kHalvings);
+}
+
+std::vector<double> three_points_over_depth(const NumbersAt& numbers, double from, double to) {
+  std::vector<double> sum;
+  for_nodes(Gauss3::abscissa(), from, to, [&](std::size_t i, double depth) {
+    add_to(sum, 0.5 * (to - from) * Gauss3::weights()[i], numbers(depth));
+  });
+  return sum;
+}
+
+}  // namespace twum::core

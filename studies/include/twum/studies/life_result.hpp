@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/life.hpp>
+#include <twum/io/column.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// The life of one motor, or of a family over one parameter. The rows of the store are its way to the end: stage is the motor, index
+/// the depth.
+struct LifeResult {
+  /// A motor on its way.
+  struct Point {
+    WearPoint wear{};  ///< depth, time, rate
+    std::vector<double>
+        metrics{};  ///< of `columns`, of the worn motor at its reference temperature; NaN: none
+    std::vector<double> margins{};  ///< of the limits, 0 where the life ends, 1 of the new motor
+  };
+  /// What may end the life.
+  struct Limit {
+    std::string text;   ///< as typed, such as "start_voltage <= 120 V"
+    bool ended{false};  ///< it is what ended the life
+  };
+  /// One motor.
+  struct Member {
+    double value{0};     ///< of the family's parameter, SI; NaN for the motor alone
+    Life life{};         ///< when it ends, and why
+    std::string status;  ///< "ok", or why there is no life
+    std::vector<Limit>
+        limits;  ///< what ends lives: the depth, then those of the file, then lining, spring and load
+    bool one_slice{false};      ///< the whole contact is at one radius
+    std::vector<Point> points;  ///< from new to the end
+  };
+  std::optional<StoredColumn> family;  ///< nothing for the motor alone
+  std::optional<LoadPoint> load;       ///< that was asked for; nothing: the operation
+  std::vector<StoredColumn> columns;   ///< of Point::metrics
+  std::vector<Member> members;         ///< in the order asked
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "telling/goal_parts.hpp"
+#include "telling/load_parts.hpp"
+#include "telling/tellings.hpp"
+
+#include <twum/motors/reasons.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace twum::studies::telling {
+namespace {
+
+using Worn = LifeResult::Member;
+
+constexpr double kHour = 3600;
+
+bool has_life(const Worn& motor) { return motor.status == "ok"; }
+
+Phrase worn_phrase(const LifeResult& answer, const Worn& motor) {
+  return family_phrase(answer.family, motor.value);
+}
+
+// "its depth reaches 100 um", "start_voltage <= 120 V fails", ...
+Phrase ended_phrase(const Worn& motor) {
+  for (const LifeResult::Limit& limit : motor.limits)
+    if (limit.ended && motor.life.end == EndOfLife::limit)
+      return {"it does not keep ", limit_part(limit.text), " any more"};
+  switch (motor.life.end) {
+    case EndOfLife::depth_limit: return {"the depth reaches its limit"};
+    case EndOfLife::preload_gone: return {"the spring has relaxed"};
+    case EndOfLife::worn_through: return {"the lining is worn through"};
+    case EndOfLife::load_lost: return {"it does not carry the load any more"};
+    case EndOfLife::limit:
+    case EndOfLife::none: break;
+  }
+  return {"-"};
+}
+
+Phrase why_none(const Worn& motor) {
+  if (motor.status == "does-not-wear") return {good("does not wear")};
+  for (const auto& reason : motors::reasons())
+    if (motor.status == to_string(reason.status))
+      return {bad("no life"), std::string(": ") + reason.meaning};
+  return {bad("no life"), ": " + motor.status};
+}
+
+Section lives(const LifeResult& answer) {
+  Section section{{"Lives"},
+                  {"How deep the track has worn when the life ends, and after how long."}};
+  Table table{"lives", {{"motor"}, {"depth"}, {"time"}, {"revolutions"}, {"ends because"}}, {}};
+  for (const Worn& motor : answer.members) {
+    std::vector<Phrase> row{worn_phrase(answer, motor)};
+    if (has_life(motor))
+      row.insert(row.end(), {{value_part(motor.life.depth, "m")},
+                             {time_part(motor.life.seconds)},
+                             {value_part(motor.life.revolutions, "1")},
+                             ended_phrase(motor)});
+    else
+      row.insert(row.end(), {{"-"}, {"-"}, {"-"}, why_none(motor)});
+    table.rows.push_back(std::move(row));
+  }
+  section.tables = {table};
+  return section;
+}
+
+Phrase slice_remark() {
+  return {
+      "The motor has one slice, ", bad("which is useless for wear"),
+      ": rotor and wave agree over its whole width, and it wears a half to a thirteenth of what "
+      "a real track does. Write ",
+      name_part("radial_slices"), ": auto."};
+}
+
+double hours_of(const LifeResult::Point& point) { return point.wear.seconds / kHour; }
+
+// Of the motor alone: how far each limit is kept, as a share of what the new motor had.
+Section margins(const Worn& motor) {
+  Section section{{"Margins over the life"},
+                  {"What is left of each limit, of what the new motor had. The first that reaches "
+                   "zero ends the life."}};
+  Chart chart{
+      "margins", {"what is left of each limit"}, {{"time"}, "h", true}, {{"left"}, "%", true}};
+  for (std::size_t j = 0; j < motor.limits.size(); ++j) {
+    Series series{written({limit_part(motor.limits[j].text)}, Writing::read),
+                  Stroke::line,
+                  {},
+                  {},
+                  colour_of(j)};
+    for (const LifeResult::Point& point : motor.points) {
+      if (!std::isfinite(point.margins[j])) continue;
+      series.x.values.push_back(hours_of(point));
+      series.y.values.push_back(point.margins[j]);
+    }
+    if (motor.limits[j].ended && !series.x.values.empty())
+      chart.marks.push_back({series.x.values.back(), series.y.values.back(), {"end"}, "ink"});
+    chart.series.push_back(std::move(series));
+  }
+  section.charts = {chart};
+  return section;
+}
+
+Series along(const LifeResult& answer, std::size_t k, const std::vector<double>& values) {
+  Series series{answer.family ? written(worn_phrase(answer, answer.members[k]), Writing::read) : "",
+                Stroke::line,
+                {},
+                {},
+                colour_of(k)};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    series.x.values.push_back(hours_of(answer.members[k].points[i]));
+    series.y.values.push_back(values[i]);
+  }
+  return series;
+}
+
+template <typename ValueOf>
+Chart course_of_life(const LifeResult& answer, const std::string& name, const std::string& unit,
+                     ValueOf value_of) {
+  Chart chart{"life-" + name, {name_part(name)}, {{"time"}, "h", true}, {{name_part(name)}, unit}};
+  for (std::size_t k = 0; k < answer.members.size(); ++k) {
+    std::vector<double> values;
+    for (const LifeResult::Point& point : answer.members[k].points)
+      values.push_back(value_of(point));
+    chart.series.push_back(along(answer, k, values));
+  }
+  return chart;
+}
+
+bool has_numbers(const Chart& chart) {
+  return std::ranges::any_of(chart.series, [](const Series& one) { return !one.y.values.empty(); });
+}
+
+Section courses(const LifeResult& answer) {
+  Section section{{"Over the life"},
+                  {"The motor at its reference temperature, as its track wears."}};
+  section.charts.push_back(course_of_life(
+      answer, "depth", "m", [](const LifeResult::Point& point) { return point.wear.depth; }));
+  for (std::size_t i = 0; i < answer.columns.size(); ++i) {
+    const StoredColumn& column = answer.columns[i];
+    section.charts.push_back(
+        course_of_life(answer, column.name, column.unit,
+                       [i](const LifeResult::Point& point) { return point.metrics[i]; }));
+  }
+  Chart warm = course_of_life(
+      answer, "contact_temperature", "degC",
+      [](const LifeResult::Point& p) { return in_celsius(p.wear.contact_temperature); });
+  if (has_numbers(warm)) section.charts.push_back(std::move(warm));
+  return section;
+}
+
+Section new_and_worn(const LifeResult& answer) {
+  Section section{{"New and worn"}, {"The motor as it is new, and at the end of its life."}};
+  Table table{"new-and-worn", {{"motor"}, {"what"}, {"new"}, {"worn"}}, {}};
+  table.keys = 2;
+  for (const Worn& motor : answer.members) {
+    if (motor.points.empty()) continue;
+    const LifeResult::Point &first = motor.points.front(), &last = motor.points.back();
+    const auto add = [&](const std::string& name, const std::string& unit, double a, double b) {
+      table.rows.push_back({worn_phrase(answer, motor),
+                            {name_part(name)},
+                            {value_part(a, unit)},
+                            {value_part(b, unit)}});
+    };
+    for (std::size_t i = 0; i < answer.columns.size(); ++i)
+      add(answer.columns[i].name, answer.columns[i].unit, first.metrics[i], last.metrics[i]);
+    add("preload", "N", first.wear.preload, last.wear.preload);
+    add("thickness", "m", first.wear.thickness, last.wear.thickness);
+    table.rows.push_back({worn_phrase(answer, motor),
+                          {name_part("wear_rate")},
+                          {value_part(first.wear.rate * kHour, "m/h")},
+                          {value_part(last.wear.rate * kHour, "m/h")}});
+    if (std::isfinite(first.wear.contact_temperature))
+      table.rows.push_back({worn_phrase(answer, motor),
+                            {name_part("contact_temperature")},
+                            {celsius_part(first.wear.contact_temperature)},
+                            {celsius_part(last.wear.contact_temperature)}});
+  }
+  section.tables = {table};
+  return section;
+}
+
+// The motor that lives longest.
+const Worn& longest(const LifeResult& answer) {
+  return *std::ranges::max_element(answer.members, {}, [](const Worn& motor) {
+    return motor.status == "does-not-wear" ? HUGE_VAL : has_life(motor) ? motor.life.seconds : -1;
+  });
+}
+
+}  // namespace
+
+Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
+  const Worn& motor = longest(answer);
+  Phrase phrase = answer.load ? Phrase{"Under "} : Phrase{"In its operation"};
+  if (answer.load) append(phrase, load_phrase(*answer.load));
+  if (answer.family)
+    append(phrase, {", with "}), append(phrase, worn_phrase(answer, motor)), append(phrase, {","});
+  append(phrase, {" the motor "});
+  if (has_life(motor)) {
+    append(phrase, {answer.family ? "lives longest, for " : "lives for ",
+                    strong(time_part(motor.life.seconds)), " or ",
+                    value_part(motor.life.revolutions, "1"), " revolutions, until "});
+    append(phrase, ended_phrase(motor));
+  } else if (motor.status == "does-not-wear") {
+    append(phrase, {"does not wear: all of its contact sticks"});
+  } else {
+    append(phrase, {"has "}), append(phrase, why_none(motor));
+  }
+  append(phrase, {"."});
+  std::vector<Phrase> remarks;
+  if (motor.one_slice) remarks.push_back(slice_remark());
+  const bool none = !has_life(motor) && motor.status != "does-not-wear";
+  return {none ? Headline::Look::bad : Headline::Look::plain,
+          "",
+          {phrase},
+          remarks,
+          {},
+          "points",
+          "without a life"};
+}
+
+std::vector<Section> sections_of(const LifeResult& answer, const Sources& /*sources*/) {
+  if (answer.members.empty()) return {};
+  std::vector<Section> sections{lives(answer)};
+  if (std::ranges::none_of(answer.members, has_life)) return sections;
+  if (!answer.family && !answer.members.front().limits.empty())
+    sections.push_back(margins(answer.members.front()));
+  sections.push_back(courses(answer));
+  sections.push_back(new_and_worn(answer));
+  return sections;
+}
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/load.hpp>
+#include <twum/io/column.hpp>
+#include <twum/studies/telling.hpp>
+
+#include <optional>
+
+/// Parts that tell loads, times and temperatures; internal.
+namespace twum::studies::telling {
+
+/// An absolute temperature in degrees.
+Part celsius_part(double kelvin, int digits = 3);
+/// The same number, for charts.
+double in_celsius(double kelvin);
+
+/// A unit in which a time is read, and its seconds.
+struct TimeUnit {
+  const char* unit;
+  double seconds;
+};
+TimeUnit time_unit(double seconds);
+Part time_part(double seconds);
+
+/// "0.5 N.m", "100 rpm", "0.5 N.m held at 100 rpm"
+Phrase load_phrase(const LoadPoint& load);
+
+/// "voltage 80 V"; the motor alone has no name.
+Phrase family_phrase(const std::optional<StoredColumn>& family, double value);
+
+}  // namespace twum::studies::telling

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// Even wear: rates, lives, ends, and their derivatives, beside a second program's tables and closed forms.
+#include <catch2/catch.hpp>
+
+#include <twum/core/life.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
+#include <twum/core/parameters.hpp>
+
+#include "support/csv_rows.hpp"
+#include "support/heat_motors.hpp"
+#include "support/metric_requests.hpp"
+#include "support/test_motors.hpp"
+
+#include <cmath>
+#include <numbers>
+
+using namespace twum;
+using namespace twum::test;
+
+namespace {
+
+constexpr double kUnit = 1e-9;  // mm^3/(N m) in m^2/N
+constexpr double kHour = 3600;
+
+MotorDesign wearing(MotorDesign design, double spring = 0, double k = 1e-6) {
+  Wear& wear = design.wear.emplace();
+  wear.specific_wear = k * kUnit;
+  wear.depth_limit = 100e-6;
+  wear.preload_spring = spring;
+  return design;
+}
+
+MotorDesign driven_with_slices(int slices) {
+  MotorDesign design = warm_motor();
+  design.thermal.reset();
+  design.stator.radial_slices = slices;
+  return design;
+}
+
+LoadPoint torque_load(double torque) { return {Argument::torque, torque, 0}; }
+
+}  // namespace
+
+TEST_CASE("the rate is that of Archard's law with the friction power (V1.1, V2.1)",
+          "[core][wear][identity]") {
+  const MotorDesign design = wearing(driven_with_slices(1));
+  const auto value = [&](Metric metric) {
+    return evaluate(Motor(design), metric_at_torque(metric, 0.5)).value;
+  };
+  const double area =
+      2 * std::numbers::pi * design.stator.contact_radius * design.stator.contact_width;
+  const double expected =
+      1e-6 * kUnit / design.friction.kinetic * value(Metric::friction_power_at) / area;
+  // the same quotient in another order: a few roundings
+  CHECK(std::fabs(value(Metric::wear_rate_at) - expected) <= 1e-14 * expected);
+}
+
+TEST_CASE("lives of a driven motor are those of a second program (V2.3)",
+          "[core][wear][differential]") {
+  int rows = 0;
+  for (const CsvRow& row : csv_rows("heat/life_even_driven.csv")) {
+    const std::string point = row.word("point");
+    if (point.find("N.m") == std::string::npos) continue;
+    const double torque = std::stod(point);
+    const MotorDesign design = wearing(driven_with_slices(static_cast<int>(row["radial_slices"])),
+                                       row["spring_N_per_m"], row["k_mm3_per_Nm"]);
+    CAPTURE(row["radial_slices"], torque, row["spring_N_per_m"]);
+    const Life found = life(design, torque_load(torque));
+    REQUIRE(found.status == MetricStatus::ok);
+    CHECK(found.end == EndOfLife::depth_limit);
+    const double rate =
+        evaluate(Motor(design), metric_at_torque(Metric::wear_rate_at, torque)).value;
+    CHECK(std::fabs(rate * kHour * 1e6 / row["rate0_um_per_h"] - 1) <= 1e-6);
+    CHECK(std::fabs(found.seconds / kHour / row["hours_to_100um"] - 1) <= 1e-6);
+    CHECK(std::fabs(found.revolutions / row["revolutions_to_100um"] - 1) <= 1e-6);
+    ++rows;
+  }
+  CHECK(rows >= 3);
+}
+
+TEST_CASE("depths over time at a speed are those of a second program (V2.2, V2.3)",
+          "[core][wear][differential]") {
+  int rows = 0;
+  for (const CsvRow& row : csv_rows("heat/wear_flat.csv")) {
+    if (row.word("motor") != "elastic-layer radial_slices=1" || row.word("load") != "{'Om': 3.0}")
+      continue;
+    MotorDesign design = wearing(elastic(ring_motor()), row["spring_N_per_m"], 0);
+    // s chi of 0: the stator wears; of 1: the lining
+    (row["s_times_chi"] == 0 ? design.wear->stator_specific_wear : *design.wear->specific_wear) =
+        row["k_mm3_per_Nm"] * kUnit;
+    const double depth = row["depth_um"] * 1e-6;
+    std::vector<double> depths;
+    for (int i = 0; i <= 20; ++i) depths.push_back(depth * i / 20);
+    const WearPoint end = wear_course(design, LoadPoint{Argument::speed, 3, 0}, depths).back();
+    CAPTURE(row["spring_N_per_m"], row["hours"]);
+    CHECK(std::fabs(end.seconds / kHour / row["hours"] - 1) <= 1e-6);
+    CHECK(std::fabs(end.rate * kHour * 1e6 / row["rate_um_per_h"] - 1) <= 1e-6);
+    CHECK(std::fabs(end.preload / row["preload"] - 1) <= 1e-9);
+    CHECK(std::fabs(end.thickness / row["thickness"] - 1) <= 1e-9);
+    ++rows;
+  }
+  CHECK(rows >= 4);
+}
+
+TEST_CASE("a start voltage beyond the drive's ends a life (V2.7)", "[core][wear][differential]") {
+  int rows = 0;
+  for (const CsvRow& row : csv_rows("heat/life_even_driven.csv")) {
+    const std::string point = row.word("point");
+    if (point.find("N.m") == std::string::npos || !(row["depth_at_start_voltage_120V"] > 0))
+      continue;
+    MotorDesign design = wearing(driven_with_slices(static_cast<int>(row["radial_slices"])),
+                                 row["spring_N_per_m"], row["k_mm3_per_Nm"]);
+    design.wear->until = {{{Metric::start_voltage}, -HUGE_VAL, 120, ""}};
+    CAPTURE(row["radial_slices"], point);
+    const Life found = life(design, torque_load(std::stod(point)));
+    REQUIRE(found.end == EndOfLife::limit);
+    CHECK(std::fabs(found.depth / row["depth_at_start_voltage_120V"] - 1) <= 1e-6);
+    CHECK(std::fabs(found.seconds / kHour / row["hours_to_start_voltage_120V"] - 1) <= 1e-6);
+    ++rows;
+  }
+  CHECK(rows >= 1);
+}
+
+TEST_CASE("k scales the time and nothing else (C15.2)", "[core][wear][scaling]") {
+  MotorDesign design = wearing(driven_with_slices(1), 1e5);
+  const Life once = life(design, torque_load(0.5));
+  *design.wear->specific_wear *= 4;
+  const Life faster = life(design, torque_load(0.5));
+  CHECK(faster.depth == once.depth);
+  CHECK(std::fabs(4 * faster.seconds / once.seconds - 1) <= 1e-14);
+  CHECK(std::fabs(4 * faster.revolutions / once.revolutions - 1) <= 1e-14);
+}
+
+TEST_CASE("small contacts with a spring lose their preload exponentially (C15.1)",
+          "[core][wear][limit]") {
+  // 1.6 N: the half angle is small, and only crest speed and rotor speed count; the second program found 4.5e-4
+  MotorDesign design = wearing(elastic(ring_motor()), 8e5 / 100);
+  design.preload = 1.6;
+  design.wear->depth_limit = 100e-6;
+  const LoadPoint load{Argument::speed, 3, 0};
+  const Life found = life(design, load);
+  REQUIRE(found.status == MetricStatus::ok);
+  const Stator& s = design.stator;
+  const double omega = 2 * std::numbers::pi * s.frequency;
+  const double crest =
+      omega * s.amplitude * s.neutral_plane_distance * s.wavelengths / s.contact_radius;
+  const double slip = crest - 3 * s.contact_radius;
+  const double area = 2 * std::numbers::pi * s.contact_radius * s.contact_width;
+  const double F = design.preload, k = *design.wear->specific_wear,
+               kF = design.wear->preload_spring;
+  const double expected = -std::log1p(-found.depth * kF / F) * area / (k * kF * slip);
+  CHECK(std::fabs(found.seconds / expected - 1) <= 5e-3);
+}
+
+TEST_CASE("a mission is the mean of its loads (V2.1)", "[core][wear][identity]") {
+  MotorDesign design = wearing(driven_with_slices(1));
+  const auto rate_at = [&](double torque) {
+    return evaluate(Motor(design), metric_at_torque(Metric::wear_rate_at, torque)).value;
+  };
+  design.operation = {{torque_load(0.8), 30, {}}, {torque_load(0.5), 60, {}}, {{}, 110, {}}};
+  const auto course = wear_course(design, {}, {0});
+  const double expected = (30 * rate_at(0.8) + 60 * rate_at(0.5)) / 200;
+  CHECK(std::fabs(course[0].rate / expected - 1) <= 1e-14);
+  // An operation that is one load for ever is that load.
+  design.operation = {{torque_load(0.5), 60, {}}};
+  CHECK(life(design).seconds == life(design, torque_load(0.5)).seconds);
+}
+
+TEST_CASE("what ends a life is told", "[core][wear]") {
+  MotorDesign design = wearing(driven_with_slices(1));
+  SECTION("the spring") {
+    design.wear->preload_spring = 1e7;  // 170 N are gone after 17 um
+    const Life found = life(design, {Argument::speed, 5, 0});
+    CHECK((found.end == EndOfLife::preload_gone || found.end == EndOfLife::load_lost));
+    CHECK(found.depth <= 17e-6);
+  }
+  SECTION("the load") {
+    design.wear->preload_spring = 5e6;
+    const Life found = life(design, torque_load(0.8));
+    REQUIRE(found.end == EndOfLife::load_lost);
+    const auto carries = [&](double depth) {
+      return evaluate(Motor(worn_motor(design, depth)), metric_at_torque(Metric::speed_at, 0.8))
+                 .status == MetricStatus::ok;
+    };
+    CHECK(carries(found.depth * (1 - 1e-9)));
+    CHECK(!carries(found.depth * (1 + 1e-9)));
+  }
+  SECTION("a limit that the new motor breaks") {
+    design.wear->until = {{{Metric::holding_torque}, 1e3, HUGE_VAL, ""}};
+    const Life found = life(design, torque_load(0.5));
+    CHECK(found.end == EndOfLife::limit);
+    CHECK(found.seconds == 0);
+  }
+  SECTION("nothing, where all sticks") {
+    MotorDesign stuck = wearing(elastic(ring_motor()));
+    stuck.friction = {5, 5};
+    const MetricValue found = evaluate(Motor(stuck), {Metric::life_at, Argument::torque, 0});
+    // either the wave still slips somewhere, or the life has no end; what sticks does not wear
+    const double friction =
+        evaluate(Motor(stuck), {Metric::friction_power_at, Argument::torque, 0}).value;
+    CHECK((friction > 0) == (found.status == MetricStatus::ok));
+  }
+}
+
+TEST_CASE("a worn metric is that of the worn motor", "[core][wear]") {
+  const MotorDesign design = wearing(driven_with_slices(1), 1e5);
+  MetricRequest request{Metric::stall_torque};
+  request.worn_at = torque_load(0.5);
+  const Life end = life(design, torque_load(0.5));
+  const double expected =
+      evaluate(Motor(worn_motor(design, end.depth)), {Metric::stall_torque}).value;
+  CHECK(evaluate(Motor(design), request).value == expected);
+  CHECK(worn_motor(design, 50e-6).layer.thickness == design.layer.thickness - 50e-6);
+  CHECK(worn_motor(design, 50e-6).preload == design.preload - 5);
+}
+
+TEST_CASE("derivatives of lives are those of solving again (V2.7)",
+          "[core][wear][derivative][differential]") {
+  MotorDesign design = wearing(driven_with_slices(1), 1e5);
+  design.wear->lining_youngs_modulus = 3e9;
+  design.wear->stator_specific_wear = 1e-8 * kUnit;
+  design.friction.threshold = design.friction.kinetic;
+  std::vector<MetricRequest> requests{metric_at_torque(Metric::wear_rate_at, 0.5),
+                                      metric_at_torque(Metric::life_at, 0.5),
+                                      metric_at_torque(Metric::life_revolutions_at, 0.5)};
+  SECTION("that end by their depth") {
+    MetricRequest worn{Metric::stall_torque};
+    worn.worn_at = torque_load(0.5);
+    requests.push_back(worn);
+  }
+  SECTION("that end by a limit") {
+    design.wear->until = {{metric_at_torque(Metric::speed_at, 0.5), -HUGE_VAL, 0, ""}};
+    const double now = evaluate(Motor(design), design.wear->until[0].request).value;
+    const double later =
+        evaluate(Motor(worn_motor(design, 50e-6)), design.wear->until[0].request).value;
+    design.wear->until[0].lower = later < now ? later : -HUGE_VAL;
+    design.wear->until[0].upper = later < now ? HUGE_VAL : later;
+    MetricRequest worn{Metric::stall_torque};
+    worn.worn_at = torque_load(0.5);
+    requests.push_back(worn);
+  }
+  SECTION("with temperatures") {
+    design = wearing(with_table(warm_motor()), 1e5);
+    design.thermal->drift.specific_wear = 0.01;
+    requests.pop_back();
+  }
+  const auto exact = differentiate(Motor(design), requests);
+  int compared = 0;
+  for (const ParameterInfo& row : parameter_table()) {
+    const double x = get(design, row.parameter);
+    if (row.integer || row.parameter == Parameter::static_friction || row.absolute ||
+        !in_use(design, row.parameter) || x == 0)
+      continue;
+    const double h = 1e-4 * std::fabs(x);
+    const auto at = [&](double by) {
+      return values_of(with(design, row.parameter, x + by), requests);
+    };
+    const auto p1 = at(h), m1 = at(-h), p2 = at(2 * h), m2 = at(-2 * h);
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      CAPTURE(row.name, info(requests[k].metric).name, requests[k].worn_at.has_value());
+      REQUIRE(exact[k].smoothness == Smoothness::smooth);
+      const double slope = (8 * (p1[k] - m1[k]) - (p2[k] - m2[k])) / (12 * h);
+      // differences of integrals that are good to 1e-9, over 1e-4 of the parameter
+      const double unit = std::fabs(slope) + std::fabs(exact[k].value.value / x);
+      CHECK(std::fabs(exact[k].gradient[index_of(row.parameter)] - slope) <= 2e-5 * unit);
+      ++compared;
+    }
+  }
+  CHECK(compared > 60);
+}
+
+TEST_CASE("heat and wear together are those of a second program",
+          "[core][wear][heat][differential]") {
+  for (const CsvRow& row : csv_rows("heat/coupled_life.csv")) {
+    const std::string mode = row.word("mode");
+    if (mode == "no coefficients") continue;
+    MotorDesign design = with_table(warm_motor());
+    design.stator.radial_slices = 8;
+    if (mode == "tracking") design.stator.frequency_ratio = 40.8 / 39;
+    design.thermal->drift.specific_wear = 0.01;
+    design.thermal->conductances.lining.reset();
+    design.layer.conductivity = 0.25;
+    design = wearing(design, 1e5);
+    const Life found = life(design, torque_load(0.5));
+    CAPTURE(mode, found.seconds / kHour);
+    REQUIRE(found.status == MetricStatus::ok);
+    CHECK(std::fabs(found.seconds / kHour / row["life_h"] - 1) <= 1e-4);
+  }
+}
