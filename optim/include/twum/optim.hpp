@@ -19,6 +19,7 @@
 #include <twum/optim/correlation.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/estimate.hpp>
+#include <twum/optim/failure_shares.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>
 #include <twum/optim/group_deviations.hpp>
@@ -38,6 +39,8 @@
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random.hpp>
 #include <twum/optim/random_input.hpp>
+#include <twum/optim/reliability.hpp>
+#include <twum/optim/replicates.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust.hpp>
 #include <twum/optim/robust_front.hpp>
