@@ -49,6 +49,7 @@
 #include <twum/optim/sample_quantiles.hpp>
 #include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
+#include <twum/optim/serial_errors.hpp>
 #include <twum/optim/solve.hpp>
 #include <twum/optim/solver_process.hpp>
 #include <twum/optim/solvers.hpp>

@@ -9,8 +9,7 @@
 namespace twum::optim {
 
 /// The worst point of a term, searched from a direction in which it fails.
-using WorstPoint =
-    std::function<InversePoint(std::size_t term, std::span<const double> direction)>;
+using WorstPoint = std::function<InversePoint(std::size_t term, std::span<const double> direction)>;
 
 /// Which terms take part in the risk of their target: those whose index is at most the least one and 1.5.
 std::vector<bool> take_part(const RobustTerms& terms, std::span<const double> beta);

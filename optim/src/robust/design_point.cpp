@@ -45,7 +45,8 @@ class DesignPointSearch {
     if (here.by_beta == 0.0) return kInfinity;  // nothing moves the margin
     direction_ = here.direction;
     const double value = here.at.value;
-    if (std::abs(beta) == kFarthestBeta && value * beta > 0.0) return std::copysign(kInfinity, beta);
+    if (std::abs(beta) == kFarthestBeta && value * beta > 0.0)
+      return std::copysign(kInfinity, beta);
     (value > 0.0 ? safe_ : failing_) = beta;
     return within(beta - value / here.by_beta);
   }

@@ -8,7 +8,8 @@ namespace twum::optim {
 /// The product nearest to the design at which a margin is 0, and its distance.
 struct NearestFailure {
   InversePoint point;  ///< converged: the margin is 0 there, and no nearer product is nearby
-  double beta{0.0};    ///< negative where the design itself breaks the limit; infinite: nothing within 8.2 fails
+  double beta{
+      0.0};  ///< negative where the design itself breaks the limit; infinite: nothing within 8.2 fails
 };
 
 /// Solves G(x, beta) = 0 of U3.2 for beta by Newton's method, U8.1, between a distance at which the margin holds and one at which

@@ -65,8 +65,8 @@ double drawn_weight(std::span<const double> z, const NormalPoints& centres) {
 }
 
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
-                                 std::span<const double> x,
-                                 const NormalPoints& centres, const SamplePlan& plan) {
+                                 std::span<const double> x, const NormalPoints& centres,
+                                 const SamplePlan& plan) {
   const ScrambledSobol sobol(problem.inputs.size() + 1, plan.seed, plan.replicate);
   const auto count = static_cast<double>(plan.products);
   struct Product {

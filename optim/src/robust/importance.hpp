@@ -35,13 +35,13 @@ struct ImportanceSample {
   std::vector<double> weights;  ///< one for each product
   /// for each product, one for each term; -infinity without an answer
   std::vector<std::vector<double>> margins;
-  NormalPoints normals;   ///< z of each product
-  bool complete{false};                      ///< false if the sample ended early
+  NormalPoints normals;  ///< z of each product
+  bool complete{false};  ///< false if the sample ended early
 };
 
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
-                                 std::span<const double> x,
-                                 const NormalPoints& centres, const SamplePlan& plan);
+                                 std::span<const double> x, const NormalPoints& centres,
+                                 const SamplePlan& plan);
 
 /// Risk of one yield target estimated from a sample, U4.3.
 struct SampledRisk {

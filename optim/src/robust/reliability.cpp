@@ -100,8 +100,8 @@ class WaysSearch {
     for (std::size_t j = 0; j < found_.size(); ++j) {
       const Margin& margin = terms_.terms[j].margin;
       const NearestFailure& nearest = found_[j].front();
-      list.push_back({margin.response, margin.sign > 0.0 ? Side::lower : Side::upper,
-                      nearest.beta, nearest.point.at.z, nearest.point.converged});
+      list.push_back({margin.response, margin.sign > 0.0 ? Side::lower : Side::upper, nearest.beta,
+                      nearest.point.at.z, nearest.point.converged});
     }
     return list;
   }
