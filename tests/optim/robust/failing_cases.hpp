@@ -24,7 +24,9 @@ inline optim::Evaluation four_branches(double b, std::span<const double> z) {
 // 2 Phi(-b) + 2 int phi(d) Phi(-(b + 0.2 d^2)) over |d| < b, by Simpson's rule; its error is far below 1e-10 of it.
 inline double four_branches_risk(double b) {
   constexpr int kSteps = 4000;
-  const auto f = [b](double d) { return 2 * optim::normal_density(d) * optim::normal_cdf(-(b + 0.2 * d * d)); };
+  const auto f = [b](double d) {
+    return 2 * optim::normal_density(d) * optim::normal_cdf(-(b + 0.2 * d * d));
+  };
   double sum = f(-b) + f(b);
   for (int i = 1; i < kSteps; ++i) sum += (i % 2 ? 4 : 2) * f(-b + 2 * b * i / kSteps);
   return 2 * optim::normal_cdf(-b) + sum * (2 * b / kSteps) / 3;

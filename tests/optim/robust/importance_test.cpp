@@ -23,7 +23,11 @@ namespace {
 Centres centres_at(const RobustProblem& problem, const RobustTerms& terms,
                    const std::vector<double>& x, std::vector<double> beta,
                    std::vector<InversePoint> points) {
-  return {problem, terms, x, std::move(points), take_part(terms, beta),
+  return {problem,
+          terms,
+          x,
+          std::move(points),
+          take_part(terms, beta),
           [&problem, &terms, &x, beta](std::size_t term, std::span<const double> direction) {
             return inverse_form(problem, terms.terms[term].margin, x, beta[term], direction);
           }};
@@ -38,8 +42,8 @@ SampledRisk sampled(RobustProblem problem, double x, double beta, std::uint64_t 
   std::vector<InversePoint> points;
   for (const RobustTerm& term : terms.terms)
     points.push_back(inverse_form(problem, term.margin, design, beta, {}));
-  Centres centres = centres_at(problem, terms, design,
-                               std::vector<double>(terms.terms.size(), beta), points);
+  Centres centres =
+      centres_at(problem, terms, design, std::vector<double>(terms.terms.size(), beta), points);
   SamplePlan plan;
   plan.products = products;
   return sampled_risk(centres.sample(plan), terms.of_target[0]);

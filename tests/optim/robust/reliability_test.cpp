@@ -59,15 +59,14 @@ double parabola_risk(double b) {
 // The holding torque of friction, preload and radius to these powers, lognormal, must be at least c.
 RobustProblem powers(double c, const std::vector<double>& exponents,
                      const std::vector<double>& sigma) {
-  auto problem = fixed_problem(
-      exponents.size(), 1, [c, exponents](std::span<const double> built) {
-        double product = 1;
-        for (std::size_t k = 0; k < built.size(); ++k) product *= std::pow(built[k], exponents[k]);
-        Rows rows{{product - c}, {{}}};
-        for (std::size_t k = 0; k < built.size(); ++k)
-          rows.slopes[0].push_back(exponents[k] * product / built[k]);
-        return rows;
-      });
+  auto problem = fixed_problem(exponents.size(), 1, [c, exponents](std::span<const double> built) {
+    double product = 1;
+    for (std::size_t k = 0; k < built.size(); ++k) product *= std::pow(built[k], exponents[k]);
+    Rows rows{{product - c}, {{}}};
+    for (std::size_t k = 0; k < built.size(); ++k)
+      rows.slopes[0].push_back(exponents[k] * product / built[k]);
+    return rows;
+  });
   for (std::size_t k = 0; k < sigma.size(); ++k)
     problem.inputs[k].transform = [s = sigma[k]](double z) {
       return BuiltValue{std::exp(s * z), 0, s * std::exp(s * z), 0};
@@ -100,8 +99,9 @@ TEST_CASE("the nearest failing product of a plane lies at its distance (U8.1)",
   CHECK(ways_to_fail(linear(9.0, {0.6, 0.8}), {}).points[0].beta == kInfinity);
 }
 
-TEST_CASE("the share of failures of a plane is exact down to 1e-9, and so are its causes (U8.2, U8.4)",
-          "[optim][robust][reliability]") {
+TEST_CASE(
+    "the share of failures of a plane is exact down to 1e-9, and so are its causes (U8.2, U8.4)",
+    "[optim][robust][reliability]") {
   const std::vector<double> direction{0.6, 0.64, std::sqrt(1 - 0.36 - 0.4096)};
   for (const double b : {1.0, 3.0, 4.5, 6.0}) {
     const auto found = reliability(linear(b, direction));
@@ -173,8 +173,9 @@ TEST_CASE("products without an answer fail, and are a way of their own",
   check_holds(reliability(problem).any.share(kLevel), normal_cdf(-4.0));
 }
 
-TEST_CASE("without a failing product the upper end is that of what a tenth of the products misses (U8.3)",
-          "[optim][robust][reliability]") {
+TEST_CASE(
+    "without a failing product the upper end is that of what a tenth of the products misses (U8.3)",
+    "[optim][robust][reliability]") {
   const auto found = reliability(linear(9.0, {1.0}));
   CHECK(found.any.failing() == 0);
   const IntervalEstimate share = found.any.share(kLevel);
@@ -213,7 +214,8 @@ std::vector<ExactCase> exact_cases(const std::vector<double>& indices) {
     list.push_back({"plane", linear(b, direction), normal_cdf(-b)});
     list.push_back({"four branches", branches(b), four_branches_risk(b)});
     const double square = 0.01 + 0.0009 + 0.01;
-    list.push_back({"product", powers(std::exp(-b * std::sqrt(square)), {1, 1, -0.5}, {0.1, 0.03, 0.2}),
+    list.push_back({"product",
+                    powers(std::exp(-b * std::sqrt(square)), {1, 1, -0.5}, {0.1, 0.03, 0.2}),
                     normal_cdf(-b)});
   }
   for (const double b : {4.0, 8.0, 12.0, 20.0})
@@ -230,7 +232,8 @@ TEST_CASE("intervals of shares of failures cover the exact share - many seeds (U
     int covered = 0;
     double sum = 0, width = 0;
     for (int seed = 1; seed <= kSeeds; ++seed) {
-      const auto share = reliability(one.problem, static_cast<std::uint64_t>(seed)).any.share(kLevel);
+      const auto share =
+          reliability(one.problem, static_cast<std::uint64_t>(seed)).any.share(kLevel);
       covered += share.low <= one.exact && one.exact <= share.high ? 1 : 0;
       sum += share.value / one.exact / kSeeds;
       width += (share.high - share.value) / one.exact / kSeeds;
