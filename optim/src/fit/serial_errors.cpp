@@ -48,7 +48,7 @@ class SerialLaw {
     return result;
   }
 
-  // x^T R x
+  // x^T R x (L10.1)
   double form(const VectorXd& x) const {
     double sum = x.squaredNorm();
     for (const auto& one : series_) {

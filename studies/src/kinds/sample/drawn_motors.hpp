@@ -81,8 +81,8 @@ class DrawnMotors : public StudyKindRun {
   std::vector<Parameter> nominal_;
 };
 
-/// The method `importance`: the share of motors that break a limit, however small, from weighted motors.
-std::unique_ptr<StudyKindRun> make_reliability(const UncertaintyStudy& asked,
-                                               const StudyFile& file);
+/// The method `plain`.
+std::unique_ptr<StudyKindRun> make_plain_uncertainty(const UncertaintyStudy& asked,
+                                                     const StudyFile& file);
 
 }  // namespace twum::studies

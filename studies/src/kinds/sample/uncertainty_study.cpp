@@ -135,9 +135,9 @@ class UncertaintyRun : public DrawnMotors {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> UncertaintyStudy::run(const StudyFile& file) const {
-  if (method == DrawMethod::importance) return make_reliability(*this, file);
-  return std::make_unique<UncertaintyRun>(*this, file);
+std::unique_ptr<StudyKindRun> make_plain_uncertainty(const UncertaintyStudy& asked,
+                                                     const StudyFile& file) {
+  return std::make_unique<UncertaintyRun>(asked, file);
 }
 
 }  // namespace twum::studies

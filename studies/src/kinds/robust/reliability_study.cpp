@@ -225,9 +225,9 @@ class ReliabilityRun : public DrawnMotors {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_reliability(const UncertaintyStudy& asked,
-                                               const StudyFile& file) {
-  return std::make_unique<ReliabilityRun>(asked, file);
+std::unique_ptr<StudyKindRun> UncertaintyStudy::run(const StudyFile& file) const {
+  if (method == DrawMethod::plain) return make_plain_uncertainty(*this, file);
+  return std::make_unique<ReliabilityRun>(*this, file);
 }
 
 }  // namespace twum::studies
