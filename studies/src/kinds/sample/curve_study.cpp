@@ -5,13 +5,10 @@
 #include <twum/motors/curve_points.hpp>
 #include <twum/motors/expression.hpp>
 
-#include <limits>
 #include <utility>
 
 namespace twum::studies {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One motor of the family.
 struct CurveMember {
@@ -25,7 +22,7 @@ class CurveRun : public StudyKindRun {
  public:
   CurveRun(const CurveStudy& asked, const MotorDesign& motor) : points_(asked.points) {
     if (!asked.family) {
-      add_member(kNone, Motor(motor));
+      add_member(kNoValue, Motor(motor));
       return;
     }
     family_ = asked.family->parameter;
@@ -108,7 +105,7 @@ class CurveRun : public StudyKindRun {
     ExpressionEvaluator(metrics).evaluate(member.motor, values);
     for (std::size_t i = 0; i < metrics.size(); ++i) {
       answer.metrics.push_back({metrics[i].text, std::string(metrics[i].unit()),
-                                values[i].status == MetricStatus::ok ? values[i].value : kNone});
+                                values[i].status == MetricStatus::ok ? values[i].value : kNoValue});
       answer.statuses.emplace_back(to_string(values[i].status));
     }
     return answer;
