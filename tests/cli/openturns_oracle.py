@@ -97,7 +97,7 @@ def compare_shares(twum, folder):
                              f"  kind: uncertainty\n  method: importance\n  variables: {{{entries}}}\n{pair}"
                              f"  limits: [stall_torque >= {torque} N.m]\n")
                 share, error, index = reference(marginals, correlation, torque)
-                own = answer["failures"]["share"]
+                own = answer["failing"]["share"]
                 half = own["high"] - own["value"]
                 # Half widths are 2.1 standard errors; four of both together hold in all but 6 of 100,000 cases.
                 room = 4 * math.hypot(half / 2.131, error)

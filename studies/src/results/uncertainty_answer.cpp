@@ -101,7 +101,7 @@ Json answer_json(const UncertaintyResult& result) {
     for (const UncertaintyResult::Limit& limit : result.limits)
       json["limits"].push_back(spread_limit_json(result, limit));
     if (!result.weighted) json["without_value"] = result.no_value;
-    json["failures"] = spread_failures_json(result);
+    json["failing"] = spread_failures_json(result);
   }
   for (const UncertaintyResult::Inadmissible& one : result.inadmissible)
     json["inadmissible"][one.variable] = one.share;

@@ -91,7 +91,11 @@ std::vector<Phrase> cause_sentences(const UncertaintyResult& answer,
   return list;
 }
 
-std::string in_a_million(double share) { return rounded_text(1e6 * share, 3); }
+// A thousand and more are whole numbers.
+std::string in_a_million(double share) {
+  const double count = 1e6 * share;
+  return count < 1000 ? rounded_text(count, 3) : std::to_string(std::llround(count));
+}
 
 // "0.0123 in a million"
 Phrase millions_phrase(double share) { return {in_a_million(share) + " in a million"}; }

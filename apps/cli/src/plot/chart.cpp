@@ -171,9 +171,9 @@ Picture matrix_picture(const std::string& name, const Chart& chart) {
   const int rows = (static_cast<int>(chart.panels.size()) + columns - 1) / columns;
   const int top = kTitle + 2 * kKeyLine;
   const PlotSize page{kLeft + columns * (kCell + kCellGap) + kRight,
-                      top + rows * (kCell + kCellGap) + kBelow};
-  std::string script =
-      plot_style(plot_text(studies::printable(chart.title, 84)), page.height) + "set multiplot\n";
+                      top + rows * (kCell + kCellGap) + 3 * kBelow / 2};
+  std::string script = plot_style(plot_text(studies::printable(chart.title, 84)), page.height) +
+                       "set xtics rotate by 60 right\nset multiplot\n";
   std::size_t number = 0;
   for (int i = 0; i < static_cast<int>(chart.panels.size()); ++i) {
     const Panel& panel = chart.panels[static_cast<std::size_t>(i)];
