@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties kill stop damage no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -49,6 +49,11 @@ step_stop() {
 step_damage() {
   build ci && python3 tests/cli/damage_survey.py build/ci/bin/twum \
     examples/studies/{sensitivity-sobol,pareto-driven,tolerances}.yaml --count 300
+}
+
+# Shares of failures and Sobol indices against OpenTURNS, where it is installed.
+step_openturns() {
+  build ci && /usr/bin/python3 tests/cli/openturns_oracle.py build/ci/bin/twum
 }
 
 # A build that may be passed on.

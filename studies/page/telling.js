@@ -289,9 +289,13 @@ function tell(section, hooks) {
   const node = card(section.heading, section.note.length ? phrase(section.note) : null, section.wide ? 'wide' : 'half');
   const several = section.charts.length > 1;
   const holder = several ? node.appendChild(el('div', {class: 'charts'})) : node;
-  const height = section.wide && !several ? 300 : 240;
+  if (section.columns) holder.style.gridTemplateColumns = 'repeat(' + section.columns + ', minmax(0, 1fr))';
+  const height = section.columns ? 170 : section.wide && !several ? 300 : 240;
   if (!hook?.draws)
-    for (const chart of section.charts) draw(several ? holder.appendChild(el('div', {})) : node, chart, {height});
+    for (const chart of section.charts) {
+      const place = several ? holder.appendChild(el('div', {})) : node;
+      if (chart) draw(place, chart, {height});
+    }
   if (section.bars) drawBars(node, section.bars, section.tables[0]);
   node.append(...saidNodes(section));
   drawTables(node, section);

@@ -55,7 +55,8 @@ SensitivityResult local(MetricSensitivity::Local effects) {
 
 // An index without an interval round it.
 SobolShares sharp(double first, double total) {
-  return {{first, first, first}, {total, total, total}, {}};
+  const double rest = total - first;
+  return {{first, first, first}, {total, total, total}, {rest, rest, rest}, {}};
 }
 
 ElementaryEffect effect(Estimate mu_star, Estimate sigma) { return {0, mu_star, sigma}; }
@@ -64,14 +65,16 @@ ElementaryEffect effect(Estimate mu_star, Estimate sigma) { return {0, mu_star, 
 
 TEST_CASE("Sobol indices are told from the largest total on, then what they add up to",
           "[studies][sensitivity][words]") {
-  SensitivityResult result = sobol({{{0, -0.001, 0.001}, {0.0004, 0, 0.002}, {}},
-                                    {{0.3, 0.25, 0.36}, {0.45, 0.4, 0.5}, {0.6, 0.5, 0.7}},
-                                    {{0.5, 0.45, 0.55}, {0.62, 0.5, 0.7}, {}}});
+  // No interactions are seen of the amplitude and the friction: both of their indices are the better known one.
+  SensitivityResult result =
+      sobol({{{0, -0.001, 0.001}, {0.0004, 0, 0.0015}, {0.0004, -0.001, 0.002}, {}},
+             {{0.3, 0.25, 0.36}, {0.45, 0.4, 0.5}, {0.15, 0.05, 0.25}, {0.6, 0.5, 0.7}},
+             {{0.5, 0.45, 0.55}, {0.62, 0.5, 0.7}, {0.12, -0.02, 0.26}, {}}});
   result.width = 0.05;
   result.narrow = false;
   // The first indices add up to 0.8, and their upper ends to 0.111 more: less than the 0.2 that is left.
   CHECK(headline_text(result) ==
-        "stall_torque: kinetic_friction matters most (62 % of its variance), then preload.\n");
+        "stall_torque: kinetic_friction matters most (50 % of its variance), then preload.\n");
   CHECK(barred(sections_text(result)) ==
         "stall_torque\n"
         "Mean 600 mN.m, standard deviation 50 mN.m.\n"
@@ -79,9 +82,9 @@ TEST_CASE("Sobol indices are told from the largest total on, then what they add 
         "Interactions explain 20 %.\n"
         "amplitude does not matter.\n"
         "variable | total | low | high | first order | low | high\n"
-        "kinetic_friction | 62 % | 50 % | 70 % | 50 % | 45 % | 55 %\n"
+        "kinetic_friction | 50 % | 45 % | 55 % | 50 % | 45 % | 55 %\n"
         "preload | 45 % | 40 % | 50 % | 30 % | 25 % | 36 %\n"
-        "amplitude | 0.04 % | 0 % | 0.2 % | 0 % | -0.1 % | 0.1 %\n"
+        "amplitude | 0.04 % | 0 % | 0.15 % | 0.04 % | 0 % | 0.15 %\n"
         "\n"
         "How the effects were computed\n"
         "Shares of the variance (Sobol), 1024 base samples; intervals of 95 %.\n"
@@ -100,6 +103,7 @@ TEST_CASE("Sobol indices are told from the largest total on, then what they add 
                               {"stall_torque", "N.m"}});
   const Json& preload = json["indices"]["stall_torque"]["preload"];
   CHECK(preload["first"] == Json{{"value", 0.3}, {"low", 0.25}, {"high", 0.36}});
+  CHECK(preload["interactions"] == Json{{"value", 0.15}, {"low", 0.05}, {"high", 0.25}});
   CHECK(preload["derivative_bound"] == Json{{"value", 0.6}, {"low", 0.5}, {"high", 0.7}});
   CHECK_FALSE(json["indices"]["stall_torque"]["amplitude"].contains("derivative_bound"));
   CHECK(json["metrics"]["stall_torque"]["mean"] == 0.6);
@@ -136,7 +140,8 @@ TEST_CASE("variables that do not matter are listed in one sentence",
   CHECK_THAT(sections_text(result),
              Contains("\namplitude, preload and thickness do not matter.\n"));
   // Below a hundredth as a whole: an interval that reaches to it leaves it open.
-  std::get<MetricSensitivity::Sobol>(result.metrics[0].effects)[3].total.high = 0.01;
+  SobolShares& thickness = std::get<MetricSensitivity::Sobol>(result.metrics[0].effects)[3];
+  thickness.first.high = thickness.total.high = 0.01;
   CHECK_THAT(sections_text(result), Contains("\namplitude and preload do not matter.\n"));
 }
 

@@ -168,3 +168,46 @@ TEST_CASE("limits without metrics have no table of spreads", "[studies][uncertai
   result.metrics.clear();
   CHECK_THAT(sections_text(result), EndsWith("\nSpread\n1000 motors drawn; intervals of 95 %.\n"));
 }
+
+TEST_CASE("failing motors are told in a million, with what causes them",
+          "[studies][uncertainty][words]") {
+  UncertaintyResult result;
+  result.samples = 16384;
+  result.weighted = true;
+  result.ways = 2;
+  result.sought = 32768;
+  result.variables = {{"preload", "N"}, {"kinetic_friction", "1"}};
+  UncertaintyResult::Limit torque{"stall_torque >= 0.5 N.m", "stall_torque", 0.5, kInfinity};
+  torque.broken = {2e-6, 1.8e-6, 2.2e-6};
+  torque.kept = {1 - 2e-6, 1 - 2.2e-6, 1 - 1.8e-6};
+  torque.index = 4.61;
+  torque.likeliest = {148, 0.13};
+  torque.causes = {{0.02, 0.01, 0.03}, {0.98, 0.97, 0.99}};
+  result.limits = {torque};
+  result.broken = torque.broken;
+  result.yield = torque.kept;
+  result.causes = torque.causes;
+  result.tighter = {{1e-8, 0.9e-8, 1.1e-8}, {kNaN, kNaN, kNaN}};
+  CHECK_THAT(headline_text(result),
+             StartsWith("2 in a million motors break a limit (between 1.8 and 2.2 with 95 % "
+                        "confidence).\n"));
+  const std::string text = barred(sections_text(result));
+  CHECK_THAT(text, Contains("stall_torque >= 0.5 N.m | 2 | 1.8 | 2.2 | 4.61\n"));
+  CHECK_THAT(text, Contains("stall_torque >= 0.5 N.m | preload 148 N, kinetic_friction 0.13\n"));
+  CHECK_THAT(text, Contains("The tolerance of kinetic_friction causes most of the failures, 98 %"));
+  CHECK_THAT(text, Contains("tolerance | of the failures | at least | at most\n"
+                            "kinetic_friction | 98 % | 97 % | 99 %\n"
+                            "preload | 2 % | 1 % | 3 %\n"));
+  const Json json = answer_json(result);
+  CHECK(json["method"] == "importance");
+  CHECK(json["failing"]["per_million"]["value"] == Approx(2).epsilon(1e-12));
+  CHECK(json["failing"]["causes"]["preload"]["value"] == 0.02);
+  CHECK(json["limits"][0]["likeliest"]["preload"] == 148);
+  CHECK(json["limits"][0]["index"] == 4.61);
+  // Without a failing motor only what so many motors could miss is said.
+  result.broken = {0, 0, 1.8e-3};
+  result.causes.clear();
+  CHECK_THAT(headline_text(result),
+             StartsWith("No motor was found that breaks a limit: with 95 % confidence fewer than "
+                        "1800 in a million do."));
+}

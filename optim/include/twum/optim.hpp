@@ -19,6 +19,7 @@
 #include <twum/optim/correlation.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/estimate.hpp>
+#include <twum/optim/failure_shares.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>
 #include <twum/optim/group_deviations.hpp>
@@ -38,6 +39,8 @@
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random.hpp>
 #include <twum/optim/random_input.hpp>
+#include <twum/optim/reliability.hpp>
+#include <twum/optim/replicates.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust.hpp>
 #include <twum/optim/robust_front.hpp>
@@ -46,6 +49,7 @@
 #include <twum/optim/sample_quantiles.hpp>
 #include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
+#include <twum/optim/serial_errors.hpp>
 #include <twum/optim/solve.hpp>
 #include <twum/optim/solver_process.hpp>
 #include <twum/optim/solvers.hpp>

@@ -15,27 +15,37 @@ constexpr int kMostDraws = 4;
 
 }  // namespace
 
+std::vector<bool> take_part(const RobustTerms& terms, std::span<const double> beta) {
+  std::vector<bool> taken;
+  for (std::size_t j = 0; j < beta.size(); ++j) {
+    const auto& target = terms.terms[j].target;
+    double least = beta[j];
+    if (target)
+      for (const std::size_t l : terms.of_target[*target]) least = std::min(least, beta[l]);
+    taken.push_back(beta[j] <= least + kSpan);
+  }
+  return taken;
+}
+
 Centres::Centres(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
-                 std::vector<double> beta, std::vector<InversePoint> points)
+                 std::vector<InversePoint> points, std::vector<bool> taken, WorstPoint worst)
     : problem_(problem),
       terms_(terms),
       x_(x),
-      beta_(std::move(beta)),
       points_(std::move(points)),
-      taken_(terms.terms.size(), false) {
-  for (std::size_t j = 0; j < points_.size(); ++j) {
-    const auto& target = terms.terms[j].target;
-    double least = beta_[j];
-    if (target)
-      for (const std::size_t l : terms.of_target[*target]) least = std::min(least, beta_[l]);
-    taken_[j] = beta_[j] <= least + kSpan;
+      taken_(std::move(taken)),
+      worst_(std::move(worst)) {
+  for (std::size_t j = 0; j < points_.size(); ++j)
     if (taken_[j]) centres_.push_back(points_[j].at.z);
-  }
+}
+
+void Centres::add(const std::vector<double>& z) {
+  if (!near(z, kSameCentre)) centres_.push_back(z);
 }
 
 bool Centres::near(std::span<const double> z, double cosine) const {
   return std::any_of(centres_.begin(), centres_.end(), [&](const std::vector<double>& c) {
-    return dot(c, z) >= cosine * norm(c) * norm(z);
+    return norm(c) > 0.0 && dot(c, z) >= cosine * norm(c) * norm(z);
   });
 }
 
@@ -70,8 +80,7 @@ bool Centres::add_missing(const ImportanceSample& sample) {
   const std::size_t failing = *missed->term;
   const double size = norm(start);
   for (double& c : start) c /= size;
-  InversePoint found =
-      inverse_form(problem_, terms_.terms[failing].margin, x_, beta_[failing], start);
+  InversePoint found = worst_(failing, start);
   if (!found.at.failure.empty() || near(found.at.z, kSameCentre)) return false;
   centres_.push_back(found.at.z);
   taken_[failing] = true;

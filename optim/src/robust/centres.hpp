@@ -3,17 +3,29 @@
 
 #include "robust/importance.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace twum::optim {
+
+/// The worst point of a term, searched from a direction in which it fails.
+using WorstPoint = std::function<InversePoint(std::size_t term, std::span<const double> direction)>;
+
+/// Which terms take part in the risk of their target: those whose index is at most the least one and 1.5.
+std::vector<bool> take_part(const RobustTerms& terms, std::span<const double> beta);
 
 /// The centres of an importance sample, U4.1: the worst points of the limits that take part in the risk, and those that a
 /// sample shows to be missing.
 class Centres {
  public:
   /// Keeps references.
+  /// @param points  of each term
+  /// @param taken   whether the point of a term is a centre
   Centres(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
-          std::vector<double> beta, std::vector<InversePoint> points);
+          std::vector<InversePoint> points, std::vector<bool> taken, WorstPoint worst);
+
+  /// One more centre, unless there is one in this direction.
+  void add(const std::vector<double>& z);
 
   /// Draws a sample. If failing products lie away from every centre, adds a centre there and draws again.
   ImportanceSample sample(const SamplePlan& plan);
@@ -25,6 +37,7 @@ class Centres {
   bool holds(std::size_t term) const { return taken_[term]; }
   /// Worst points of all terms; of two points for a term, the worse one.
   const std::vector<InversePoint>& points() const noexcept { return points_; }
+  const NormalPoints& centres() const noexcept { return centres_; }
 
  private:
   struct Missed {
@@ -39,10 +52,10 @@ class Centres {
   const RobustProblem& problem_;
   const RobustTerms& terms_;
   std::span<const double> x_;
-  std::vector<double> beta_;
   std::vector<InversePoint> points_;
   std::vector<bool> taken_;
-  std::vector<std::vector<double>> centres_;
+  WorstPoint worst_;
+  NormalPoints centres_;
 };
 
 }  // namespace twum::optim

@@ -14,42 +14,9 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kPlainShare = 0.1;
 constexpr double kWideShare = 0.1;
 constexpr double kShiftedShare = 1.0 - kPlainShare - kWideShare;
 constexpr std::size_t kNeighbours = 40;
-
-// U4.1: the last coordinate of a Sobol point selects the share.
-std::vector<double> normals_of(std::span<const double> u,
-                               const std::vector<std::vector<double>>& centres) {
-  std::vector<double> z;
-  for (std::size_t k = 0; k + 1 < u.size(); ++k) z.push_back(normal_quantile(u[k]));
-  const double share = u.back();
-  if (share < kPlainShare || centres.empty()) return z;
-  if (share < kPlainShare + kWideShare) {
-    for (double& c : z) c *= 2.0;
-    return z;
-  }
-  const auto count = static_cast<double>(centres.size());
-  const auto chosen =
-      static_cast<std::size_t>((share - kPlainShare - kWideShare) / kShiftedShare * count);
-  const auto& centre = centres[std::min(chosen, centres.size() - 1)];
-  for (std::size_t k = 0; k < z.size(); ++k) z[k] += centre[k];
-  return z;
-}
-
-// U4.2
-double weight_of(std::span<const double> z, const std::vector<std::vector<double>>& centres,
-                 double products) {
-  if (centres.empty()) return 1.0 / products;
-  const double square = dot(z, z);
-  const auto m = static_cast<double>(z.size());
-  double density = kPlainShare + kWideShare * std::exp2(-m) * std::exp(0.375 * square);
-  for (const auto& c : centres)
-    density +=
-        kShiftedShare / static_cast<double>(centres.size()) * std::exp(dot(c, z) - 0.5 * dot(c, c));
-  return 1.0 / (products * density);
-}
 
 std::vector<double> margins_at(const RobustProblem& problem, const RobustTerms& terms,
                                std::span<const double> x, std::span<const double> z) {
@@ -69,9 +36,36 @@ std::vector<double> margins_at(const RobustProblem& problem, const RobustTerms& 
 
 }  // namespace
 
+std::vector<double> drawn_normals(std::span<const double> u, const NormalPoints& centres) {
+  std::vector<double> z;
+  for (std::size_t k = 0; k + 1 < u.size(); ++k) z.push_back(normal_quantile(u[k]));
+  const double share = u.back();
+  if (share < kPlainShare || centres.empty()) return z;
+  if (share < kPlainShare + kWideShare) {
+    for (double& c : z) c *= 2.0;
+    return z;
+  }
+  const auto count = static_cast<double>(centres.size());
+  const auto chosen =
+      static_cast<std::size_t>((share - kPlainShare - kWideShare) / kShiftedShare * count);
+  const auto& centre = centres[std::min(chosen, centres.size() - 1)];
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] += centre[k];
+  return z;
+}
+
+double drawn_weight(std::span<const double> z, const NormalPoints& centres) {
+  if (centres.empty()) return 1.0;
+  const double square = dot(z, z);
+  const auto m = static_cast<double>(z.size());
+  double density = kPlainShare + kWideShare * std::exp2(-m) * std::exp(0.375 * square);
+  for (const auto& c : centres)
+    density +=
+        kShiftedShare / static_cast<double>(centres.size()) * std::exp(dot(c, z) - 0.5 * dot(c, c));
+  return 1.0 / density;
+}
+
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
-                                 std::span<const double> x,
-                                 const std::vector<std::vector<double>>& centres,
+                                 std::span<const double> x, const NormalPoints& centres,
                                  const SamplePlan& plan) {
   const ScrambledSobol sobol(problem.inputs.size() + 1, plan.seed, plan.replicate);
   const auto count = static_cast<double>(plan.products);
@@ -85,13 +79,13 @@ ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms
       [&](std::uint64_t index) {
         std::vector<double> u(sobol.dimension());
         sobol.point(index, u);
-        Product product{normals_of(u, centres), {}};
+        Product product{drawn_normals(u, centres), {}};
         product.margins = margins_at(problem, terms, x, product.z);
         return product;
       },
       [&](std::uint64_t, std::vector<Product>& products) {
         for (Product& product : products) {
-          sample.weights.push_back(weight_of(product.z, centres, count));
+          sample.weights.push_back(drawn_weight(product.z, centres) / count);
           sample.margins.push_back(std::move(product.margins));
           sample.normals.push_back(std::move(product.z));
         }

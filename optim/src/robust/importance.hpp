@@ -18,18 +18,29 @@ struct SamplePlan {
   std::function<void(std::uint64_t, std::uint64_t)> sampled{};
 };
 
+/// Products, as standard normal numbers z.
+using NormalPoints = std::vector<std::vector<double>>;
+
+/// Part of the products that are drawn without a centre.
+inline constexpr double kPlainShare = 0.1;
+
+/// z of a product, U4.1.
+/// @param u  a point of the unit cube with one coordinate more than z, which selects plain, wide, or one of the centres
+std::vector<double> drawn_normals(std::span<const double> u, const NormalPoints& centres);
+/// The density of plain products at z over that of the drawn ones, N w of U4.2: at most 1 / kPlainShare.
+double drawn_weight(std::span<const double> z, const NormalPoints& centres);
+
 /// Margins of products drawn about the worst points, U4.1 and U4.2.
 struct ImportanceSample {
   std::vector<double> weights;  ///< one for each product
   /// for each product, one for each term; -infinity without an answer
   std::vector<std::vector<double>> margins;
-  std::vector<std::vector<double>> normals;  ///< z of each product
-  bool complete{false};                      ///< false if the sample ended early
+  NormalPoints normals;  ///< z of each product
+  bool complete{false};  ///< false if the sample ended early
 };
 
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
-                                 std::span<const double> x,
-                                 const std::vector<std::vector<double>>& centres,
+                                 std::span<const double> x, const NormalPoints& centres,
                                  const SamplePlan& plan);
 
 /// Risk of one yield target estimated from a sample, U4.3.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/robust_search.hpp"
 
-#include "robust/centres.hpp"
 #include "robust/statistic_verdict.hpp"
 #include "robust/verification.hpp"
 
@@ -282,6 +281,21 @@ Certificate RobustSearch::certified(const SolvedRound& solved) const {
   return certify(solved.round->problem(), solved.result.design, quiet);
 }
 
+// Centres at the worst products of a round, whose distance from the design is that of U3.2.
+Centres RobustSearch::centres(const SolvedRound& solved) const {
+  const auto& y = solved.result.design;
+  const std::vector<double> beta = solved.round->betas(y);
+  const auto x = design(solved);
+  return {problem_,
+          terms_,
+          x,
+          solved.round->points(y),
+          take_part(terms_, beta),
+          [this, x, beta](std::size_t term, std::span<const double> direction) {
+            return inverse_form(problem_, terms_.terms[term].margin, x, beta[term], direction);
+          }};
+}
+
 Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t products,
                                     std::uint64_t run) const {
   Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), run,
@@ -289,10 +303,8 @@ Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t pro
                                         return all_far_above_wanted(problem_, yields);
                                       });
   if (!wants_rare(problem_) || stopped()) return seen;
-  const RobustRound& round = *solved.round;
-  const auto& y = solved.result.design;
   // The ways to fail that any of several samples shows are centres of all that then decide (U5.5).
-  Centres centres(problem_, terms_, design(solved), round.betas(y), round.points(y));
+  Centres centres = this->centres(solved);
   for (std::uint64_t scramble = 0; scramble < kScrambles && !stopped(); ++scramble)
     centres.sample(plan(kCoarse, kSoughtScrambles + kScrambles * run + scramble));
   return weighted(std::move(seen), terms_, [&](std::uint64_t scramble) {
@@ -347,7 +359,7 @@ bool RobustSearch::risks_bind(const SolvedRound& solved) const {
 Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan& plan) {
   const RobustRound& round = *solved.round;
   const auto beta = round.betas(solved.result.design);
-  Centres centres(problem_, terms_, design(solved), beta, round.points(solved.result.design));
+  Centres centres = this->centres(solved);
   const ImportanceSample sample = centres.sample(plan);
   Correction next = Correction::none(terms_);
   next.shifts = round.correction().shifts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/importance.hpp"
+#include "robust/centres.hpp"
 
 #include <twum/optim/pareto.hpp>
 #include <twum/optim/robust.hpp>
@@ -92,6 +92,7 @@ class RobustSearch {
 
  private:
   std::vector<std::vector<double>> starts() const;
+  Centres centres(const SolvedRound& solved) const;
   Result search(const Problem& problem, std::uint64_t number, std::span<const double> y,
                 const std::string& solver, std::uint64_t stage);
   SolveOptions options_for(std::uint64_t number, std::uint64_t stage);

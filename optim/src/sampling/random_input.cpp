@@ -32,7 +32,8 @@ Offset offset(const RandomInput& input, double z) {
       return {input.spread * std::erf(z / std::sqrt(2.0)), 2.0 * input.spread * normal_density(z)};
     case Law::triangular: return triangular_offset(input.spread, input.above, z);
     case Law::normal:
-    case Law::lognormal: break;
+    case Law::lognormal:
+    case Law::given: break;
   }
   return {input.spread * z, input.spread};
 }
@@ -53,6 +54,7 @@ BuiltValue lognormal(const RandomInput& input, double x, double z) {
 
 BuiltValue RandomInput::at(double design, double z) const {
   z = std::clamp(z, -kMostDeviations, kMostDeviations);
+  if (law == Law::given) return transform(z);
   if (law == Law::lognormal) return lognormal(*this, design, z);
   const Offset o = offset(*this, z);
   const double scale = relative ? design : 1.0;

@@ -2,6 +2,7 @@
 // Studies that evaluate designs without a search: curves, frequency curves, sweeps, sensitivities.
 #include "entries/entry_shapes.hpp"
 #include "entries/spacing.hpp"
+#include "entries/tolerance_shape.hpp"
 
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
@@ -191,6 +192,11 @@ bool check_sensitivity(SensitivityStudy& study, const Given& given, Diagnostics&
   if (method == "sobol" && given.find("width") == nullptr)
     refuse(given, "max_samples", "given without a width", "used with 'width' only; leave it out",
            diagnostics);
+  if (method == "morris")
+    refuse(given, "tolerances", found,
+           "screening moves across ranges: give 'variables' with them, or use method 'sobol' or "
+           "'local'",
+           diagnostics);
   if (method == "morris" || method == "sobol") refuse_starts(given, method, diagnostics);
   const bool fewer = given.right("samples") != nullptr && given.right("max_samples") != nullptr &&
                      *study.max_samples < *study.samples;
@@ -216,6 +222,16 @@ Field<SensitivityStudy> sensitivity_samples() {
   };
   field.entry.standards = {{scalar_node(text(Method::morris)), "method", {"morris"}},
                            {scalar_node(text(Method::sobol)), "method", {"sobol"}}};
+  return field;
+}
+
+// One of two lists of a sensitivity study, of which one is needed.
+Field<SensitivityStudy> either(Field<SensitivityStudy> field, const char* other, bool usual) {
+  field.entry.required = usual;
+  field.entry.alternative_entry = other;
+  field.write = [write = field.write, usual](const SensitivityStudy& from) {
+    return from.tolerances.empty() == usual ? write(from) : std::nullopt;
+  };
   return field;
 }
 
@@ -341,7 +357,10 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
   return mapping<S>(
       "which parameter matters",
       {kind_field<S>(), required<S>("method", method, &S::method),
-       required<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
+       either(required<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
+              "tolerances", true),
+       either(required<S>("tolerances", shapes::tolerances("how motors scatter"), &S::tolerances),
+              "variables", false),
        derived_field<S>(), required<S>("metrics", shapes::metrics(), &S::metrics),
        sensitivity_samples(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),

@@ -101,7 +101,9 @@ void check_all_tolerances(const Study& asked_study, const MotorDesign& design, c
   if (study == nullptr) return;
   const auto check = [&](const auto& asked, const std::vector<Tolerance>& list, const char* entry) {
     const YamlNode* given = study->find(entry);
-    if (given != nullptr && asked.start.empty())
+    bool own_motor = true;
+    if constexpr (requires { asked.start; }) own_motor = asked.start.empty();
+    if (given != nullptr && own_motor)
       shapes::check_tolerances(list, design, *given, std::string("study.") + entry, diagnostics);
   };
   std::visit(

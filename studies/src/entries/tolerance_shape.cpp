@@ -243,6 +243,16 @@ Shape<std::vector<Tolerance>> tolerances(std::string text) {
 Shape<std::vector<ToleranceCorrelation>> correlations() {
   auto shape = list("parameters that scatter together", correlation());
   shape.schema.example = "[[preload, kinetic_friction, 0.7]]";
+  shape.read = [read = shape.read](std::vector<ToleranceCorrelation>& into, const YamlNode& node,
+                                   const Spot& spot, Diagnostics& diagnostics) {
+    if (node.kind != YamlNode::Kind::list || !node.items.empty())
+      return read(into, node, spot, diagnostics);
+    diagnostics.add(
+        node.mark, spot.path, "found an empty list",
+        "expected pairs such as [[preload, kinetic_friction, 0.7]]; without 'correlations' "
+        "all parameters are independent, so leave it out");
+    return false;
+  };
   return shape;
 }
 

@@ -2,6 +2,7 @@
 #include "entries/repeats.hpp"
 #include "entries/tolerance_shape.hpp"
 
+#include <twum/core/parameters.hpp>
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
@@ -11,6 +12,38 @@ using namespace shapes;
 
 namespace {
 
+// What weighted motors about the ways to fail cannot answer.
+void check_importance(const UncertaintyStudy& study, const Given& given, Diagnostics& diagnostics) {
+  const auto refuse = [&](const YamlNode& at, const std::string& name, std::string found,
+                          std::string expected) {
+    diagnostics.add(at.mark, given.path(name), std::move(found), std::move(expected));
+  };
+  const std::string with = "given with method 'importance'";
+  if (given.find("limits") == nullptr)
+    refuse(given.node(), "limits", "missing",
+           "give 'limits': method 'importance' computes the share of motors that break them");
+  if (const YamlNode* parts = given.find("parts"))
+    refuse(*parts, "parts", with,
+           "measured parts are drawn whole, and the table ends where failures begin: leave it out "
+           "and give the laws of the parameters, or use method 'plain'");
+  if (const YamlNode* metrics = given.find("metrics"))
+    refuse(*metrics, "metrics", with,
+           "motors drawn near their limits do not show how a metric scatters: leave it out, or use "
+           "method 'plain'");
+  const YamlNode* quantiles = given.find("quantiles");
+  if (quantiles != nullptr && study.quantiles != UncertaintyStudy{}.quantiles)
+    refuse(*quantiles, "quantiles", with, "leave it out, or use method 'plain'");
+  const YamlNode* variables = given.find("variables");
+  for (const Tolerance& one : study.variables) {
+    if (!info(one.parameter).integer || variables == nullptr) continue;
+    for (const YamlEntry& entry : variables->entries)
+      if (find_parameter(entry.key) == one.parameter)
+        refuse(entry.value, "variables." + entry.key, "a whole number, with method 'importance'",
+               "its law has steps, and the way to a failure follows slopes: leave it out, or use "
+               "method 'plain'");
+  }
+}
+
 // Each probability may occur only once; 5 % equals 0.05.
 bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics& diagnostics) {
   check_repeats(given, diagnostics);
@@ -18,7 +51,9 @@ bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics&
     diagnostics.add(given.node().mark, given.path("variables"), "missing",
                     "give 'variables' with their tolerances, or 'parts' that were measured");
   check_correlations(study.variables, study.correlations, given, "variables", diagnostics);
-  if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
+  if (study.method == DrawMethod::importance)
+    check_importance(study, given, diagnostics);
+  else if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
     diagnostics.add(given.node().mark, given.path("metrics"), "missing",
                     "give 'metrics' to compute their spread, or 'limits' to compute the yield");
   if (const YamlNode* list = given.right("quantiles")) {
@@ -47,6 +82,12 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
                                "parts.csv"),
                           &S::parts, "none")),
        derived_field<S>(),
+       hidden(standard<S>(
+           "method",
+           word<DrawMethod>("motors drawn by their tolerances, or about the points where they are "
+                            "most likely to fail: for shares of failures down to 1e-9",
+                            {"plain", "importance"}),
+           &S::method)),
        optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),
        optional<S>("limits", shapes::constraints(), &S::limits, "no yield"),

@@ -74,6 +74,9 @@ Json tests_json(const CalibrateResult& result) {
                           {"count", result.neighbours->count},
                           {"correlation", result.neighbours->correlation},
                           {"p", result.neighbours->p}};
+  if (result.serial)
+    json["serial"] = {{"correlation", result.serial->correlation},
+                      {"widening", result.serial->widening}};
   if (result.chi_square)
     json["chi_square"] = {{"value", *result.chi_square},
                           {"degrees_of_freedom", result.counting_freedom()},

@@ -132,6 +132,17 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
                   "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
 }
 
+// Widened intervals are told with the reason, so that nobody wonders about their width.
+void add_serial(const CalibrateResult& result, Notes& notes) {
+  if (!result.serial || result.poor()) return;
+  notes.push_back("Neighbouring residuals are alike (correlation about " +
+                  about(result.serial->correlation) +
+                  "), as if the points were fewer. The intervals allow for it: they are up to " +
+                  about(result.serial->widening) +
+                  " times as wide as those of independent errors. If the errors drift with time, "
+                  "measure the points in random order.");
+}
+
 // Deviations that are stated too large hide a misfit, and widen intervals that stand on them.
 void add_smallness(const CalibrateResult& result, Notes& notes) {
   if (!result.chi_square || 1 - result.chi_square_p >= kRare) return;
@@ -333,6 +344,7 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
         "units in the heading of the data file, then the ranges.");
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
+  add_serial(result, notes);
   add_smallness(result, notes);
   add_outliers(result, notes);
   add_several(result, notes);

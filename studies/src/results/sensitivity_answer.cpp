@@ -8,7 +8,9 @@ namespace twum::studies {
 namespace {
 
 Json effect_json(const SobolShares& shares) {
-  Json json{{"first", estimate_json(shares.first)}, {"total", estimate_json(shares.total)}};
+  Json json{{"first", estimate_json(shares.first)},
+            {"total", estimate_json(shares.total)},
+            {"interactions", estimate_json(shares.interactions)}};
   if (std::isfinite(shares.derivative_bound.value))
     json["derivative_bound"] = estimate_json(shares.derivative_bound);
   return json;
@@ -23,8 +25,10 @@ Json effect_json(const ElementaryEffect& effect) {
 }
 
 Json effect_json(const LocalEffect& effect) {
-  return {{"gradient", number_json(effect.gradient)},
-          {"elasticity", number_json(effect.elasticity)}};
+  Json json{{"gradient", number_json(effect.gradient)},
+            {"elasticity", number_json(effect.elasticity)}};
+  if (std::isfinite(effect.spread)) json["spread"] = effect.spread;
+  return json;
 }
 
 Json effects_json(const SensitivityResult& result, const MetricSensitivity& metric) {
@@ -44,6 +48,7 @@ Json metric_json(const SensitivityResult& result, const MetricSensitivity& metri
   if (result.method == "local") {
     json["value"] = number_json(metric.value);
     json["smoothness"] = to_string(metric.smoothness);
+    if (result.tolerances) json["sd"] = number_json(metric.sd);
   } else {
     json["mean"] = number_json(metric.value);
     json["sd"] = number_json(metric.sd);
@@ -58,6 +63,7 @@ Json metric_json(const SensitivityResult& result, const MetricSensitivity& metri
 
 Json answer_json(const SensitivityResult& result) {
   Json json{{"method", result.method}};
+  if (result.tolerances) json["tolerances"] = true;
   if (result.method != "local") {
     json["confidence"] = result.confidence;
     json["samples"] = result.samples;

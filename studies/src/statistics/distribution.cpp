@@ -78,6 +78,72 @@ double Distribution::quantile(double p) const {
   return std::clamp(whole_quantile(inside), min_, max_);
 }
 
+// Of the shares below and above, the smaller one is the exact one.
+Distribution::OfNormal Distribution::of_normal(double z) const {
+  constexpr double kMost = 8.2;
+  z = std::clamp(z, -kMost, kMost);
+  if (!limited_) return whole_of_normal(z);
+  const double part = top_ - bottom_;
+  const double below = bottom_ + optim::normal_cdf(z) * part;
+  const double over = above(max_) + optim::normal_cdf(-z) * part;
+  const double at = below < over ? optim::normal_quantile(below) : -optim::normal_quantile(over);
+  const auto [value, slope] = whole_of_normal(at);
+  const double by_z = part * optim::normal_density(z) / optim::normal_density(at);
+  return {std::clamp(value, min_, max_), slope * by_z};
+}
+
+Distribution::OfNormal Distribution::whole_of_normal(double z) const {
+  const double below = optim::normal_cdf(z), over = optim::normal_cdf(-z);
+  const double density = optim::normal_density(z), range = b_ - a_;
+  switch (shape_) {
+    case Shape::normal: return {a_ + b_ * z, b_};
+    case Shape::lognormal: {
+      const double value = std::exp(a_ + b_ * z);
+      return {value, b_ * value};
+    }
+    case Shape::uniform: return {z < 0 ? a_ + range * below : b_ - range * over, range * density};
+    case Shape::triangular: {
+      const bool lower = below * range <= c_ - a_;
+      const double root = std::sqrt(lower ? below * range * (c_ - a_) : over * range * (b_ - c_));
+      const double side = lower ? c_ - a_ : b_ - c_;
+      return {lower ? a_ + root : b_ - root, root > 0 ? 0.5 * range * side * density / root : 0};
+    }
+    case Shape::weibull: {
+      const double log = z > 0 ? -std::log(over) : -std::log1p(-below);
+      const double value = a_ * std::pow(log, 1 / b_);
+      return {value, value / (b_ * log) * density / over};
+    }
+    case Shape::beta: {
+      const boost::math::beta_distribution<> law(c_, d_);
+      const double share = z < 0 ? boost::math::quantile(law, below)
+                                 : boost::math::quantile(boost::math::complement(law, over));
+      return {a_ + range * share, range * density / boost::math::pdf(law, share)};
+    }
+  }
+  TWUM_ASSERT(false);
+  return {};
+}
+
+// The share above x of the distribution before it is truncated.
+double Distribution::above(double x) const {
+  if (shape_ == Shape::normal) return optim::normal_cdf((a_ - x) / b_);
+  return 1 - whole_cdf(x);
+}
+
+// By the midpoint rule in z, which is exact to rounding for smooth laws.
+double Distribution::sd() const {
+  constexpr double kStep = 0.05, kEnd = 8.2;
+  double weight = 0, first = 0, second = 0;
+  const double centre = of_normal(0).value;
+  for (double z = -kEnd + 0.5 * kStep; z < kEnd; z += kStep) {
+    const double density = optim::normal_density(z), off = of_normal(z).value - centre;
+    weight += density;
+    first += density * off;
+    second += density * off * off;
+  }
+  return std::sqrt(second / weight - first * first / (weight * weight));
+}
+
 double Distribution::cdf(double x) const {
   if (!limited_) return whole_cdf(x);
   return (whole_cdf(std::clamp(x, min_, max_)) - bottom_) / (top_ - bottom_);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/error.hpp>
-#include <twum/optim/distributions.hpp>
 #include <twum/studies/sobol_indices.hpp>
 
 #include <algorithm>
@@ -8,32 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kLeastPoints = 16;  // of a replicate
+constexpr std::uint64_t kLeastPoints = 64;  // of a replicate
 
 bool any_nan(std::span<const double> values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
-}
-
-// A ratio of sums over independent replicates: {numerator, denominator} of each.
-Estimate ratio_estimate(std::span<const std::pair<double, double>> replicates, double confidence) {
-  double above = 0;
-  double below = 0;
-  for (const auto& [n, d] : replicates) {
-    above += n;
-    below += d;
-  }
-  const double ratio = above / below;
-  double scatter = 0;
-  for (const auto& [n, d] : replicates) scatter += (n - ratio * d) * (n - ratio * d);
-  const auto count = static_cast<double>(replicates.size());
-  const double error = std::sqrt(scatter * count / (count - 1)) / std::abs(below);
-  const double half = optim::student_quantile(count - 1, (1 + confidence) / 2) * error;
-  return {ratio, ratio - half, ratio + half};
 }
 
 }  // namespace
@@ -62,6 +43,9 @@ SobolIndices::SobolIndices(std::size_t variables)
     sums.product.resize(variables);
     sums.half_square.resize(variables);
     sums.slope.resize(variables);
+    sums.c.resize(variables);
+    sums.c_square.resize(variables);
+    sums.b_c.resize(variables);
   }
 }
 
@@ -79,8 +63,13 @@ bool SobolIndices::add(std::uint64_t block, std::span<const double> values) {
   sums.count += 1;
   sums.value += (a + b) / 2;
   sums.square += (a * a + b * b) / 2;
+  sums.b += b;
+  sums.b_square += b * b;
   for (std::size_t j = 0; j < variables_; ++j) {
-    const double step = values[2 + j] - values[0];
+    const double step = values[2 + j] - values[0], c = values[2 + j] - shift_;
+    sums.c[j] += c;
+    sums.c_square[j] += c * c;
+    sums.b_c[j] += b * c;
     sums.step[j] += step;
     sums.product[j] += b * step;
     sums.half_square[j] += step * step / 2;
@@ -123,28 +112,64 @@ bool SobolIndices::constant() const {
   return blocks_ > 0 && std::sqrt(variance()) <= 1e-9 * std::abs(mean());
 }
 
-std::vector<SobolShares> SobolIndices::shares(double confidence) const {
-  std::vector<SobolShares> result(variables_);
-  std::vector<const Sums*> filled;
-  for (const Sums& sums : replicates_) {
-    if (sums.count > 0) filled.push_back(&sums);
-  }
-  if (filled.size() < 2 || constant() || variance() == 0) return result;
+std::vector<const SobolIndices::Sums*> SobolIndices::filled() const {
+  std::vector<const Sums*> list;
+  for (const Sums& sums : replicates_)
+    if (sums.count > 0) list.push_back(&sums);
+  return list;
+}
+
+// B (C - A) over the variance: accurate where the index is small.
+std::vector<optim::ReplicateSums> SobolIndices::saltelli(std::size_t variable) const {
   const double m = centre();
-  const bool slopes = std::all_of(filled.begin(), filled.end(),
-                                  [](const Sums* s) { return s->gradients == s->count; });
-  std::vector<std::pair<double, double>> ratios(filled.size());
+  std::vector<optim::ReplicateSums> list;
+  for (const Sums* s : filled())
+    list.push_back({s->product[variable] - m * s->step[variable], variance_sum(*s)});
+  return list;
+}
+
+// The correlation of B and C about their common mean: accurate where the index is large.
+std::vector<optim::ReplicateSums> SobolIndices::janon(std::size_t variable) const {
+  double m = 0;
+  for (const Sums& s : replicates_) m += 0.5 * (s.b + s.c[variable]);
+  m /= static_cast<double>(blocks_);
+  std::vector<optim::ReplicateSums> list;
+  for (const Sums* s : filled()) {
+    const double both = s->b + s->c[variable], shift = m * m * s->count - m * both;
+    list.push_back({s->b_c[variable] + shift, 0.5 * (s->b_square + s->c_square[variable]) + shift});
+  }
+  return list;
+}
+
+// (A - C)^2 / 2 over the variance.
+std::vector<optim::ReplicateSums> SobolIndices::jansen(std::size_t variable) const {
+  std::vector<optim::ReplicateSums> list;
+  for (const Sums* s : filled()) list.push_back({s->half_square[variable], variance_sum(*s)});
+  return list;
+}
+
+std::vector<optim::ReplicateSums> SobolIndices::slope_bound(std::size_t variable) const {
+  std::vector<optim::ReplicateSums> list;
+  for (const Sums* s : filled())
+    list.push_back({s->slope[variable] / (std::numbers::pi * std::numbers::pi), variance_sum(*s)});
+  return list;
+}
+
+std::vector<SobolShares> SobolIndices::shares(double confidence) const {
+  constexpr double kLarge = 0.5;
+  std::vector<SobolShares> result(variables_);
+  const std::vector<const Sums*> used = filled();
+  if (used.size() < 2 || constant() || variance() == 0) return result;
+  const bool slopes =
+      std::ranges::all_of(used, [](const Sums* s) { return s->gradients == s->count; });
   for (std::size_t j = 0; j < variables_; ++j) {
-    const auto estimate = [&](auto&& numerator) {
-      for (std::size_t r = 0; r < filled.size(); ++r)
-        ratios[r] = {numerator(*filled[r]), variance_sum(*filled[r])};
-      return ratio_estimate(ratios, confidence);
-    };
-    result[j].first = estimate([&](const Sums& s) { return s.product[j] - m * s.step[j]; });
-    result[j].total = estimate([&](const Sums& s) { return s.half_square[j]; });
-    if (!slopes) continue;
-    result[j].derivative_bound =
-        estimate([&](const Sums& s) { return s.slope[j] / (std::numbers::pi * std::numbers::pi); });
+    auto first = saltelli(j);
+    if (optim::ratio_of_replicates(first, confidence).value > kLarge) first = janon(j);
+    const auto total = jansen(j);
+    result[j].first = optim::ratio_of_replicates(first, confidence);
+    result[j].total = optim::ratio_of_replicates(total, confidence);
+    result[j].interactions = optim::difference_of_ratios(total, first, confidence);
+    if (slopes) result[j].derivative_bound = optim::ratio_of_replicates(slope_bound(j), confidence);
   }
   return result;
 }

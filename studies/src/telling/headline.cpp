@@ -68,6 +68,7 @@ struct Badge {
 
   std::string operator()(const UncertaintyResult& answer) const {
     if (result.outcome != "done" || !answer.yield) return outcome_words(result.outcome);
+    if (answer.weighted && answer.broken.value == 0) return "no failure found";
     return written(share_part(answer.yield->value), Writing::read) + " keep the limits";
   }
 

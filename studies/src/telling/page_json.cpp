@@ -174,7 +174,10 @@ Json section_json(const Section& section) {
             {"sentences", sentences_json(section.sentences)},
             {"remarks", remarks_json(section.remarks)},
             {"tables", Json::array()}};
-  for (const Chart& chart : section.charts) json["charts"].push_back(chart_json(chart));
+  for (const Chart& chart : section.charts)
+    json["charts"].push_back(chart.series.empty() && section.columns > 0 ? Json(nullptr)
+                                                                         : chart_json(chart));
+  if (section.columns > 0) json["columns"] = section.columns;
   if (section.bars.of > 0)
     json["bars"] = {{"name", section.bars.name},   {"of", section.bars.of},
                     {"inner", section.bars.inner}, {"low", section.bars.low},

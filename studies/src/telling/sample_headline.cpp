@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/search_words.hpp"
+#include "telling/failure_sections.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/tellings.hpp"
 
@@ -122,18 +123,22 @@ Headline family_headline(const CurveResult& answer) {
 }
 
 // Size of an effect, by which variables are sorted; NaN: none.
-double size_of(const LocalEffect& effect) { return std::fabs(effect.elasticity); }
+double size_of(const LocalEffect& effect) {
+  return std::isfinite(effect.spread) ? effect.spread : std::fabs(effect.elasticity);
+}
 double size_of(const ElementaryEffect& effect) { return effect.mu_star.value; }
-double size_of(const SobolShares& effect) { return effect.total.value; }
+double size_of(const SobolShares& effect) { return told_shares(effect).total.value; }
 
-Phrase effect_phrase(const LocalEffect& effect, const std::string& /*unit*/) {
+Phrase effect_phrase(const LocalEffect& effect, const std::string& unit) {
+  if (std::isfinite(effect.spread))
+    return {value_part(effect.spread, unit, 3), " for one standard deviation"};
   return {value_part(effect.elasticity, "1", 3), " % for 1 % more"};
 }
 Phrase effect_phrase(const ElementaryEffect& effect, const std::string& unit) {
   return {value_part(effect.mu_star.value, unit, 3), " across its range"};
 }
 Phrase effect_phrase(const SobolShares& effect, const std::string& /*unit*/) {
-  return {share_part(effect.total.value, 3), " of its variance"};
+  return {share_part(size_of(effect), 3), " of its variance"};
 }
 
 /// Effects below this part of the largest one hardly matter.
@@ -257,7 +262,7 @@ Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*resul
   if (answer.samples == 0) return bad_headline({{strong("No motor was computed.")}});
   if (!answer.yield) return plain_headline({spread_sentence(answer)});
   const Estimate& kept = *answer.yield;
-  const Phrase first{strong(share_part(kept.value)),
+  const Phrase yield{strong(share_part(kept.value)),
                      " of the motors keep every limit (between ",
                      share_part(kept.low),
                      " and ",
@@ -265,14 +270,18 @@ Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*resul
                      " with ",
                      share_part(answer.confidence, 3),
                      " confidence)."};
+  const bool few = answer.broken.value > 0 && answer.broken.value < kFewBreak;
+  const Phrase first = answer.weighted || few ? failing_phrase(answer) : yield;
   const auto worst = std::ranges::min_element(
       answer.limits, {}, [](const UncertaintyResult::Limit& limit) { return limit.kept.value; });
   const Phrase cost{"The limit that costs most is ", strong(limit_part(worst->text)), ": ",
                     share_part(worst->kept.value), " keep it."};
-  return {kept.low >= kGoodYield ? Look::good : Look::bad,
-          "",
-          {first, worst->kept.value < 1 ? cost : spread_sentence(answer)},
-          {}};
+  Headline told{kept.low >= kGoodYield ? Look::good : Look::bad, "", {first}, {}};
+  if (worst->kept.value < 1)
+    told.sentences.push_back(cost);
+  else if (!answer.metrics.empty())
+    told.sentences.push_back(spread_sentence(answer));
+  return told;
 }
 
 Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*/) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/failure_sections.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/histogram.hpp"
+#include "telling/scatter_matrix.hpp"
 #include "telling/tellings.hpp"
 
 #include <twum/io/words.hpp>
@@ -57,8 +59,15 @@ Phrase missing_phrase(const UncertaintyResult::Metric& metric, std::uint64_t mis
 }
 
 std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
-  std::vector<Phrase> list{{counted(answer.samples, "motor") + " drawn; intervals of ",
-                            share_part(answer.confidence, 3), "."}};
+  const std::string drawn = answer.weighted
+                                ? " drawn about " + counted(answer.ways, "point") +
+                                      " where motors are most likely to fail, and weighted; " +
+                                      std::to_string(answer.sought) +
+                                      " others, or up to four times as many, "
+                                      "were drawn before to find these points; intervals of "
+                                : " drawn; intervals of ";
+  std::vector<Phrase> list{
+      {counted(answer.samples, "motor") + drawn, share_part(answer.confidence, 3), "."}};
   if (!answer.start.empty()) {
     list.push_back({"Varied: the design of " + quoted(answer.start) + ", "});
     append(list.back(), values_phrase(answer.nominal));
@@ -310,7 +319,13 @@ std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources&
   if (sources.rows != nullptr)
     for (const UncertaintyResult::Metric& metric : answer.metrics)
       list.push_back(spread_of(answer, metric, column_values(*sources.rows, metric.column.name)));
-  if (answer.yield) list.push_back(yield_section(answer, sources));
+  if (answer.yield)
+    list.push_back(answer.weighted ? failure_table_section(answer)
+                                   : yield_section(answer, sources));
+  for (Section& section : cause_sections(answer)) list.push_back(std::move(section));
+  if (sources.rows != nullptr && !answer.weighted)
+    for (Section& section : scatter_sections(answer, *sources.rows))
+      list.push_back(std::move(section));
   Section spread{{"Spread"}};
   spread.sentences = spread_sentences(answer);
   if (!answer.metrics.empty()) spread.tables = spread_tables(answer);

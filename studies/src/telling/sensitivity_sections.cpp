@@ -96,10 +96,12 @@ class MetricSection {
     section_.bars.of = 1;
   }
 
-  void add(const MetricSensitivity::Sobol& shares) {
+  void add(const MetricSensitivity::Sobol& estimates) {
+    MetricSensitivity::Sobol shares;
+    for (const SobolShares& one : estimates) shares.push_back(told_shares(one));
     section_.note = {
         "Share of the variance: alone (dark), with all interactions (light), interval of the "
-        "latter."};
+        "latter. Where no interactions are seen beyond their interval, both are one number."};
     Table table{"indices-" + metric_.metric.name,
                 {{"variable"}, {"total"}, {"low"}, {"high"}, {"first order"}, {"low"}, {"high"}},
                 {}};
@@ -129,7 +131,7 @@ class MetricSection {
     if (!std::isfinite(most.total.value)) return;
     Phrase phrase{name(order.front()), " matters most: alone it explains ",
                   share_part(std::max(0.0, most.first.value), 3), " of the variance"};
-    if (most.total.low > most.first.high)  // else the difference may be noise
+    if (most.interactions.low > 0)
       append(phrase, {", with its interactions ", share_part(most.total.value, 3)});
     append(phrase, {"."});
     say(std::move(phrase));
@@ -170,7 +172,37 @@ class MetricSection {
     say_negligible(negligible);
   }
 
+  // The scatter of the metric by each tolerance alone, to first order.
+  void add_spreads(const MetricSensitivity::Local& effects) {
+    section_.note = {
+        "Standard deviation of the metric by each tolerance alone, to first order, and its share "
+        "of "
+        "the variance."};
+    Table table{
+        "indices-" + metric_.metric.name,
+        {{"tolerance"}, {"of the variance"}, {"standard deviation"}, {"about"}, {"gradient"}},
+        {}};
+    set_bars(", sources of its variance to first order", "share of the variance", "%");
+    section_.bars.full = 1;
+    const auto order = ranking(effects.size(), [&](std::size_t j) { return effects[j].spread; });
+    const double variance = metric_.sd * metric_.sd;
+    for (const std::size_t j : order)
+      table.rows.push_back({{name(j)},
+                            {share_part(effects[j].spread * effects[j].spread / variance, 3)},
+                            {value_part(effects[j].spread, unit_)},
+                            {value_part(answer_.motor[j], answer_.variables[j].unit)},
+                            gradient(effects[j].gradient, answer_.variables[j].unit)});
+    section_.tables = {table};
+    const double most = effects[order.front()].spread;
+    if (most > 0)
+      say({"The tolerance of ", name(order.front()), " matters most: it explains ",
+           share_part(most * most / variance, 3), " of the variance. The standard deviation is ",
+           value_part(metric_.sd, unit_), " to first order."});
+    say_smoothness();
+  }
+
   void add(const MetricSensitivity::Local& effects) {
+    if (answer_.tolerances) return add_spreads(effects);
     section_.note = {
         "Change of the metric for 1 % more of the variable: bars to the right where it rises, "
         "to the left where it falls."};
@@ -236,7 +268,9 @@ Section method_section(const SensitivityResult& answer) {
   section.sentences = {
       {answer.method == "morris"
            ? "Elementary effects across the ranges (Morris), " + count + " trajectories"
-           : "Shares of the variance (Sobol), " + count + " base samples"}};
+           : std::string("Shares of the variance ") +
+                 (answer.tolerances ? "by the tolerances, which are independent " : "") +
+                 "(Sobol), " + count + " base samples"}};
   append(section.sentences.front(), level);
   if (!answer.narrow)
     section.sentences.push_back({"Some intervals are still wider than the ",
@@ -246,6 +280,14 @@ Section method_section(const SensitivityResult& answer) {
 }
 
 }  // namespace
+
+SobolShares told_shares(const SobolShares& shares) {
+  if (shares.interactions.low > 0 || !std::isfinite(shares.interactions.low)) return shares;
+  const auto width = [](const Estimate& e) { return e.high - e.low; };
+  SobolShares one = shares;
+  one.first = one.total = width(shares.first) < width(shares.total) ? shares.first : shares.total;
+  return one;
+}
 
 std::vector<Section> sections_of(const SensitivityResult& answer, const Sources& /*sources*/) {
   std::vector<Section> list;

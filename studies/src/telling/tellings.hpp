@@ -37,6 +37,10 @@ std::vector<Section> point_sections(const ParetoResult& answer, std::size_t poin
 /// "amplitude 1.6 µm, preload 160 N"
 Phrase design_phrase(const SweepResult& answer, const SweepResult::Design& design);
 
+/// The shares of a variable as they are told: where no interactions are seen beyond their interval, the first and the total index
+/// are one number, the one that is known better.
+SobolShares told_shares(const SobolShares& shares);
+
 /// What is said below the headline, by kind of answer.
 /// @{
 std::vector<Section> sections_of(const CurveResult& answer, const Sources& sources);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "failing_cases.hpp"
 #include "torque_problem.hpp"
 
 #include "robust/centres.hpp"
@@ -10,11 +11,27 @@
 #include <cmath>
 
 using namespace twum::optim;
+using twum::test::four_branches;
+using twum::test::four_branches_risk;
 using twum::test::response_problem;
 using twum::test::robust_case;
 using twum::test::torque_problem;
 
 namespace {
+
+// Centres at the worst points at the distances beta.
+Centres centres_at(const RobustProblem& problem, const RobustTerms& terms,
+                   const std::vector<double>& x, std::vector<double> beta,
+                   std::vector<InversePoint> points) {
+  return {problem,
+          terms,
+          x,
+          std::move(points),
+          take_part(terms, beta),
+          [&problem, &terms, &x, beta](std::size_t term, std::span<const double> direction) {
+            return inverse_form(problem, terms.terms[term].margin, x, beta[term], direction);
+          }};
+}
 
 // Failing share of a design by a sample about the worst points at the distance beta.
 SampledRisk sampled(RobustProblem problem, double x, double beta, std::uint64_t products = 16384) {
@@ -25,7 +42,8 @@ SampledRisk sampled(RobustProblem problem, double x, double beta, std::uint64_t 
   std::vector<InversePoint> points;
   for (const RobustTerm& term : terms.terms)
     points.push_back(inverse_form(problem, term.margin, design, beta, {}));
-  Centres centres(problem, terms, design, std::vector<double>(terms.terms.size(), beta), points);
+  Centres centres =
+      centres_at(problem, terms, design, std::vector<double>(terms.terms.size(), beta), points);
   SamplePlan plan;
   plan.products = products;
   return sampled_risk(centres.sample(plan), terms.of_target[0]);
@@ -92,35 +110,13 @@ TEST_CASE("the weighted quantile of a sample is that of the law (U4.4)", "[optim
   const std::vector<double> x{160.0};
   const auto quantile = [&](double beta) {
     const auto worst = inverse_form(torque, terms.terms[0].margin, x, beta, {});
-    Centres centres(torque, terms, x, {beta}, {worst});
+    Centres centres = centres_at(torque, terms, x, {beta}, {worst});
     return weighted_quantile(centres.sample({}), 0, beta);
   };
   // 4096 products about the point: 1 % of an index of spread 0.08 (measured in the prototype: 0.6 %), four times.
   CHECK(quantile(1.64485362695) == Approx(robust_case("C1", "q05")).margin(0.02 * 0.0886));
   CHECK(quantile(3.09023230617) == Approx(robust_case("C1", "q001")).margin(0.02 * 0.0886));
 }
-
-namespace {
-
-// Four ways to fail (Waarts' series system), two of them curved: z1, z2 to the least of four margins.
-Evaluation four_branches(double b, std::span<const double> z) {
-  const double root = std::sqrt(2.0), d = z[0] - z[1], s = (z[0] + z[1]) / root;
-  const double curved = b + 0.1 * d * d - std::abs(s), flat = root * b - std::abs(d);
-  const double along = s < 0 ? 1 / root : -1 / root, across = d < 0 ? 1.0 : -1.0;
-  if (curved < flat) return {{curved}, {0.2 * d + along, -0.2 * d + along}, {}, {}};
-  return {{flat}, {across, -across}, {}, {}};
-}
-
-// 2 Phi(-b) + 2 int phi(d) Phi(-(b + 0.2 d^2)) over |d| < b, by Simpson's rule; its error is far below 1e-10 of it.
-double four_branches_risk(double b) {
-  constexpr int kSteps = 4000;
-  const auto f = [b](double d) { return 2 * normal_density(d) * normal_cdf(-(b + 0.2 * d * d)); };
-  double sum = f(-b) + f(b);
-  for (int i = 1; i < kSteps; ++i) sum += (i % 2 ? 4 : 2) * f(-b + 2 * b * i / kSteps);
-  return 2 * normal_cdf(-b) + sum * (2 * b / kSteps) / 3;
-}
-
-}  // namespace
 
 TEST_CASE("risks of several ways to fail are unbiased and their intervals cover (U4.1, U5.5)",
           "[optim][robust][statistics]") {
@@ -137,7 +133,7 @@ TEST_CASE("risks of several ways to fail are unbiased and their intervals cover 
   double sum = 0;
   int covered = 0;
   for (int seed = 1; seed <= kSeeds; ++seed) {
-    Centres centres(problem, terms, x, {kIndex}, {worst});
+    Centres centres = centres_at(problem, terms, x, {kIndex}, {worst});
     SamplePlan plan;
     plan.seed = static_cast<std::uint64_t>(seed);
     plan.products = 4096;

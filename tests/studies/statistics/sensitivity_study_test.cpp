@@ -176,3 +176,38 @@ TEST_CASE("sensitivity studies do not depend on the number of threads", "[studie
     CHECK(one == twum::test::timeless_summary(run(entries, 8)));
   }
 }
+
+TEST_CASE(
+    "tolerances in place of ranges give the scatter of a metric, to first order and by variance",
+    "[studies][sensitivity]") {
+  const std::string entries =
+      "  kind: sensitivity\n  tolerances: {preload: 3 %, kinetic_friction: 10 %, thickness: 2 %}\n"
+      "  metrics: [stall_torque]\n  method: ";
+  // On the plateau the torque is mu F r, with mu = 0.2, F = 160 N, r = 26.5 mm.
+  constexpr double kTorque = 0.2 * 160 * 0.0265;
+  const auto local = std::get<SensitivityResult>(twum::test::run(entries + "local\n").answer);
+  CHECK(local.tolerances);
+  const auto& effects = std::get<MetricSensitivity::Local>(local.metrics[0].effects);
+  // Derivatives are exact to rounding; the standard deviation of a law is a sum over 328 points, exact to 1e-10.
+  CHECK(effects[0].spread == Approx(0.03 * kTorque).epsilon(1e-9));
+  CHECK(effects[1].spread == Approx(0.1 * kTorque).epsilon(1e-9));
+  CHECK(effects[2].spread == Approx(0).margin(1e-9 * kTorque));
+  CHECK(local.metrics[0].sd == Approx(std::hypot(0.03, 0.1) * kTorque).epsilon(1e-9));
+
+  // A product of independent numbers with the relative variances a and b has the variance a + b + a b.
+  const auto sobol = std::get<SensitivityResult>(twum::test::run(entries + "sobol\n").answer);
+  const auto& shares = std::get<MetricSensitivity::Sobol>(sobol.metrics[0].effects);
+  constexpr double a = 0.03 * 0.03, b = 0.1 * 0.1, all = a + b + a * b;
+  const auto holds = [](const Estimate& share, double exact) {
+    // Twice the half width is 6.4 standard errors of Student's t with 3 degrees of freedom: one of 130; the seed is fixed.
+    CHECK(std::abs(share.value - exact) <= 2 * (share.high - share.value));
+    CHECK(share.high - share.value < 0.02);
+  };
+  holds(shares[0].first, a / all);
+  holds(shares[1].first, b / all);
+  holds(shares[0].total, (a + a * b) / all);
+  holds(shares[1].total, (b + a * b) / all);
+  CHECK(shares[2].total.value == 0);
+  // The bound of a linear function of a normal number is its share: E[(df/dz)^2] / V.
+  CHECK(shares[1].derivative_bound.value == Approx((b + a * b) / all).epsilon(0.02));
+}

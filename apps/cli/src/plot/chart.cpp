@@ -16,6 +16,7 @@ namespace {
 
 // Points of the page.
 constexpr int kWidth = 720, kTitle = 46, kPanel = 210, kAlone = 330, kBelow = 66, kBetween = 18;
+constexpr int kCell = 170, kCellGap = 14;  // of a matrix
 constexpr int kLeft = 92, kRight = 24, kScale = 112, kBar = 30, kKeyLine = 18;
 // Width of a letter beside an axis.
 constexpr double kLetter = 8.2;
@@ -67,15 +68,21 @@ std::string word_tics(const std::vector<std::string>& words) {
   return "set ytics nomirror scale 0 (" + list + ") noenhanced\n";
 }
 
-std::string axes_of(const Scaled& s, bool labelled) {
+// Which axes of a panel have names and numbers.
+struct Labels {
+  bool across{true}, up{true};
+};
+
+std::string axes_of(const Scaled& s, const Labels& labels) {
   const Panel& panel = s.panel;
   std::string script =
       range_text("x", s.x, s.x_unit.divisor) + range_text("y", s.y, s.y_unit.divisor);
   script += panel.y.words.empty()
                 ? "set ytics nomirror scale 0.5 autofreq\n" + vertical_label(panel.y.name, s.y_unit)
                 : word_tics(panel.y.words);
-  script += labelled ? "set format x '%g'\n" + horizontal_label(panel.x.name, s.x_unit)
-                     : "set format x ''\nunset xlabel\n";
+  if (!labels.up) script += "set format y ''\nunset ylabel\n";
+  script += labels.across ? "set format x '%g'\n" + horizontal_label(panel.x.name, s.x_unit)
+                          : "set format x ''\nunset xlabel\n";
   if (panel.colours.name.empty()) return script;
   return script + (panel.colours.log ? "set" : "unset") + " logscale cb\n" +
          range_text("cb", s.value, s.value_unit.divisor) + "set cblabel " +
@@ -133,18 +140,18 @@ std::string series_text(const Scaled& s, std::size_t number, const Series& serie
          colour + " title " + plot_text(series.name);
 }
 
-std::string margins(const Place& place, int height) {
+std::string margins(const Place& place, const PlotSize& page) {
   const auto share = [](int part, int whole) {
     return plot_number(static_cast<double>(part) / whole);
   };
-  return "set lmargin at screen " + share(place.left, kWidth) + "\nset rmargin at screen " +
-         share(place.right, kWidth) + "\nset tmargin at screen " +
-         share(height - place.top, height) + "\nset bmargin at screen " +
-         share(height - place.bottom, height) + "\n";
+  return "set lmargin at screen " + share(place.left, page.width) + "\nset rmargin at screen " +
+         share(place.right, page.width) + "\nset tmargin at screen " +
+         share(page.height - place.top, page.height) + "\nset bmargin at screen " +
+         share(page.height - place.bottom, page.height) + "\n";
 }
 
-std::string draw_panel_at(const Panel& panel, const Place& place, int height, bool labelled,
-                          std::size_t& number) {
+std::string draw_panel_at(const Panel& panel, const Place& place, const PlotSize& page,
+                          const Labels& labels, std::size_t& number) {
   const Scaled s = scaled(panel, place);
   std::string data, plots;
   for (const Series& series : with_guides(s)) {
@@ -154,13 +161,35 @@ std::string draw_panel_at(const Panel& panel, const Place& place, int height, bo
     ++number;
   }
   if (plots.empty()) plots = "plot NaN title ''";  // an empty panel with its axes
-  return data + margins(place, height) + axes_of(s, labelled) + texts_of(s) + plots +
-         "\nunset label\nunset arrow\nunset object\n";
+  return data + margins(place, page) + axes_of(s, labels) + texts_of(s) + plots +
+         "\nunset label\nunset arrow\nunset object\n" + (labels.up ? "" : "set format y '%g'\n");
+}
+
+// A matrix: names and numbers stand at its left and below.
+Picture matrix_picture(const std::string& name, const Chart& chart) {
+  const auto columns = static_cast<int>(chart.columns);
+  const int rows = (static_cast<int>(chart.panels.size()) + columns - 1) / columns;
+  const int top = kTitle + 2 * kKeyLine;
+  const PlotSize page{kLeft + columns * (kCell + kCellGap) + kRight,
+                      top + rows * (kCell + kCellGap) + 3 * kBelow / 2};
+  std::string script = plot_style(plot_text(studies::printable(chart.title, 84)), page.height) +
+                       "set xtics rotate by 60 right\nset multiplot\n";
+  std::size_t number = 0;
+  for (int i = 0; i < static_cast<int>(chart.panels.size()); ++i) {
+    const Panel& panel = chart.panels[static_cast<std::size_t>(i)];
+    if (panel.series.empty()) continue;
+    const int row = i / columns, column = i % columns;
+    const int left = kLeft + column * (kCell + kCellGap), above = top + row * (kCell + kCellGap);
+    script += draw_panel_at(panel, {above, above + kCell, left, left + kCell}, page,
+                            {row + 1 == rows, column == 0}, number);
+  }
+  return {name, page, script + "unset multiplot\n"};
 }
 
 }  // namespace
 
 Picture picture_of(const std::string& name, const Chart& chart) {
+  if (chart.columns > 0) return matrix_picture(name, chart);
   std::vector<Place> places;
   int top = kTitle;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
@@ -173,7 +202,7 @@ Picture picture_of(const std::string& name, const Chart& chart) {
   std::size_t number = 0;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const bool labelled = !chart.shared || i + 1 == chart.panels.size();
-    script += draw_panel_at(chart.panels[i], places[i], top, labelled, number);
+    script += draw_panel_at(chart.panels[i], places[i], {kWidth, top}, {labelled, true}, number);
   }
   return {name, {kWidth, top}, script + "unset multiplot\n"};
 }

@@ -73,11 +73,12 @@ struct Panel {
   bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
 };
 
-/// Panels below each other under one title.
+/// Panels below each other under one title, or in a matrix.
 struct Chart {
   std::string title;
   std::vector<Panel> panels;
-  bool shared{false};  ///< the panels have one horizontal axis
+  bool shared{false};      ///< the panels have one horizontal axis
+  std::size_t columns{0};  ///< panels in a row of a matrix; one without series is a gap
 };
 
 /// A picture: its script for gnuplot and the size of its page.

@@ -3,13 +3,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 namespace twum::optim {
 
 /// Distribution of an input about the design's value.
-enum class Law : std::uint8_t { normal, lognormal, uniform, triangular };
+enum class Law : std::uint8_t {
+  normal,
+  lognormal,
+  uniform,
+  triangular,
+  given  ///< by RandomInput::transform, whatever the design's value
+};
 
 /// Value of an input in a built product, and its derivatives, U1.5, U1.7.
 struct BuiltValue {
@@ -30,6 +37,8 @@ struct RandomInput {
   /// position of the design variable that scatters; none: `value` scatters
   std::optional<std::size_t> variable{};
   double value{0.0};  ///< x of an input that is not a design variable
+  /// Law::given: P = T(z) and dP/dz > 0 at a standard normal z; its other derivatives are 0
+  std::function<BuiltValue(double z)> transform{};
 
   /// The built value. Smooth in x and z; |z| is cut off at 8.2, where a tail holds 1e-16.
   BuiltValue at(double design, double z) const;

@@ -177,9 +177,15 @@ struct CalibrateResult {
   std::optional<optim::NeighbourTest> neighbours;
   /// The kind of data of `neighbours`, and what it is in order of, such as "torque_at" and "speed".
   struct NeighboursOf {
-    std::string quantity{"torque_at"};    ///< the kind
-    std::string over{"speed"};            ///< what its numbers are in order of
-  } neighbours_of;                        ///< of `neighbours`
+    std::string quantity{"torque_at"};  ///< the kind
+    std::string over{"speed"};          ///< what its numbers are in order of
+  } neighbours_of;                      ///< of `neighbours`
+  /// Errors that follow each other in series.
+  struct Serial {
+    double correlation{0};  ///< the likeliest one of neighbours
+    double widening{0};  ///< of the interval that is widened most, compared with independent errors
+  };
+  std::optional<Serial> serial;           ///< where the intervals are widened by it
   std::optional<double> chi_square;       ///< where standard deviations were measured
   double chi_square_p{1};                 ///< how often chance gives as much or more
   std::optional<KindScatter> worst_kind;  ///< where it is as rare as one time in twenty

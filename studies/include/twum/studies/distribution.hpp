@@ -32,6 +32,15 @@ class Distribution {
   double cdf(double x) const;
   /// The p-quantile, p in (0, 1); increases with p.
   double quantile(double p) const;
+  /// The quantile of Phi(z), of a standard normal z, and its slope: smooth, and as accurate far out in both tails. |z| is cut off at
+  /// 8.2, beyond which lies 1e-16.
+  struct OfNormal {
+    double value;  ///< of the quantity
+    double slope;  ///< its derivative with respect to z
+  };
+  OfNormal of_normal(double z) const;
+  /// The standard deviation, of what the limits leave.
+  double sd() const;
 
  private:
   enum class Shape : std::uint8_t { normal, lognormal, uniform, triangular, weibull, beta };
@@ -39,6 +48,8 @@ class Distribution {
       : shape_(shape), a_(a), b_(b), c_(c), d_(d) {}
   double whole_cdf(double x) const;
   double whole_quantile(double p) const;
+  OfNormal whole_of_normal(double z) const;
+  double above(double x) const;
 
   Shape shape_;
   double a_;          // normal, lognormal: location; Weibull: scale; otherwise minimum

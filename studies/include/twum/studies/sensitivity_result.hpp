@@ -8,6 +8,7 @@
 #include <twum/studies/sobol_indices.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,6 +19,8 @@ namespace twum::studies {
 struct LocalEffect {
   double gradient;    ///< SI; NaN: none
   double elasticity;  ///< per cent of the metric for a per cent of the variable; NaN: none
+  /// standard deviation of the metric by the tolerance of the variable alone, to first order, SI; NaN: none
+  double spread{std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// Which variables matter for one metric.
@@ -34,7 +37,7 @@ struct MetricSensitivity {
   std::uint64_t samples{0};  ///< blocks or trajectories that were used
   std::uint64_t dropped{0};  ///< those in which an evaluation failed
   double value{0};           ///< mean over the box; local: at the motor; SI, NaN: none
-  double sd{0};              ///< over the box; NaN: none
+  double sd{0};              ///< over the box; local: by the tolerances, to first order; NaN: none
   Smoothness smoothness{Smoothness::smooth};   ///< local: what the gradient can be used for
   std::variant<Local, Morris, Sobol> effects;  ///< one for each variable; empty: none
 };
@@ -43,6 +46,7 @@ struct MetricSensitivity {
 struct SensitivityResult {
   std::string method;        ///< "local", "morris" or "sobol"
   double confidence{0.95};   ///< level of all intervals
+  bool tolerances{false};    ///< over the laws of tolerances in place of ranges
   std::uint64_t samples{0};  ///< blocks (sobol) or trajectories (morris) evaluated in full
   double width{0};           ///< sobol: intervals should be narrower than this; 0: not asked
   bool narrow{true};         ///< all intervals are narrower than `width`

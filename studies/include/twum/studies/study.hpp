@@ -169,6 +169,7 @@ struct SensitivityStudy {
 
   SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
   std::vector<DesignVariable> variables{};             ///< `start` counts for local only
+  std::vector<Tolerance> tolerances{};                 ///< in place of the variables
   std::vector<DerivedParameter> derived{};             ///< what follows from the variables
   std::vector<MetricExpression> metrics{};             ///< of what
   /// Trajectories (morris) or base samples (sobol); none: standard_samples().
@@ -249,6 +250,12 @@ struct SizeStudy {
   std::string start{};           ///< result directory to start from; empty: the motor
 };
 
+/// How the motors of an uncertainty study are drawn.
+enum class DrawMethod : unsigned char {
+  plain,      ///< by their tolerances
+  importance  ///< about the points where they are most likely to fail, and weighted
+};
+
 /// Spread and yield under tolerances.
 struct UncertaintyStudy {
   static constexpr std::string_view kName{"uncertainty"};  ///< as in `kind:`
@@ -256,6 +263,7 @@ struct UncertaintyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
+  DrawMethod method{DrawMethod::plain};              ///< how motors are drawn
   std::vector<Tolerance> variables{};                ///< what is uncertain
   std::vector<ToleranceCorrelation> correlations{};  ///< of these; others are independent
   /// table of measured parts, drawn whole; parameters without a column keep their law; empty: none

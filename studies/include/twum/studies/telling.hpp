@@ -184,6 +184,8 @@ struct Section {
   Phrase heading{};
   Phrase note{};                ///< how to read what follows
   std::vector<Chart> charts{};  ///< several are one picture
+  std::size_t columns{
+      0};  ///< charts in a row, where they are a matrix; one without series is a gap
   Bars bars{};
   std::vector<Phrase> sentences{};
   std::vector<Phrase> remarks{};  ///< one thing each, below the sentences

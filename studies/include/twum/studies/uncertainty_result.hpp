@@ -5,6 +5,7 @@
 #include <twum/studies/estimate.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,14 @@ struct UncertaintyResult {
     std::string metric;  ///< what is limited
     double lower;        ///< SI; -infinity: none
     double upper;        ///< SI; infinity: none
-    Estimate kept;       ///< fraction of motors
+    Estimate kept{};     ///< fraction of motors
+    Estimate broken{};   ///< the rest, exact where it is small
+    /// share of each variable in the motors that break it, the sum is 1; empty: not known
+    std::vector<Estimate> causes{};
+    /// method `importance`: the distance of the most likely motor that breaks it, in standard deviations of normal numbers; NaN:
+    /// none within 8.2
+    double index{std::numeric_limits<double>::quiet_NaN()};
+    std::vector<double> likeliest{};  ///< values of its variables, SI; empty: not known
   };
   /// A variable whose distribution reaches beyond its admissible range: such motors have no value and keep no limit.
   struct Inadmissible {
@@ -56,6 +64,15 @@ struct UncertaintyResult {
   std::vector<Limit> limits;               ///< in the order of the study
   /// fraction of motors that meet all limits; nothing if there are no limits
   std::optional<Estimate> yield;
+  Estimate broken{};  ///< the rest, exact where it is small
+  std::vector<Estimate>
+      causes{};  ///< share of each variable in the failures, the sum is 1; empty: not known
+  /// of each variable, the change of the yield if its tolerance is 1 % tighter; NaN where it is not normal
+  std::vector<Estimate> tighter{};
+  /// motors were drawn about the ways to fail and weighted: method `importance`
+  bool weighted{false};
+  std::uint64_t ways{0};    ///< about how many points they were drawn
+  std::uint64_t sought{0};  ///< motors, about, that were drawn before to find these
 };
 
 }  // namespace twum::studies

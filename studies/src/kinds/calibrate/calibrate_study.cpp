@@ -3,6 +3,7 @@
 #include "kinds/calibrate/calibration.hpp"
 #include "kinds/calibrate/measured_fit.hpp"
 #include "kinds/calibrate/planned_calibration.hpp"
+#include "kinds/calibrate/residual_tests.hpp"
 #include "kinds/rows/executor.hpp"
 #include "kinds/rows/study_kind.hpp"
 #include "kinds/sensitivity/metric_gradients.hpp"
@@ -106,6 +107,7 @@ class CalibrateRun final : public StudyKindRun {
     auto fits = in_order<optim::LeastSquaresResult>(context, starts_, [&](std::uint64_t i) {
       return one_fit(context, stage + i, starts[i], teller);
     });
+    widen_in_series(context, fit, stage, starts, fits, teller);
     stage += starts_;
     std::vector<ProfiledInterval> found;
     LostSets lost;
@@ -119,7 +121,7 @@ class CalibrateRun final : public StudyKindRun {
       if (better.empty() || context.stop.stop_requested()) break;
       fits.push_back(one_fit(context, stage++, better, teller));
     }
-    CalibrationAsked asked{fit, tables_, confidence_, columns_, unsettled_};
+    CalibrationAsked asked{fit, tables_, confidence_, columns_, serial_, unsettled_};
     asked.joined = [&](const optim::LeastSquaresResult& best, std::span<const double> other) {
       return path_joins(context, best, other, stage++, teller);
     };
@@ -210,6 +212,25 @@ class CalibrateRun final : public StudyKindRun {
     unsettled_ = best->fit.outcome == optim::Outcome::optimal ? "" : best->fit.word;
     small_sample_ = best->small_sample;
     if (has_short_column()) simulate_quantiles(best->fit);
+  }
+
+  // Errors in series leave the estimates as they are and widen their intervals. Where the scatter is stated, or each column has
+  // one of its own, the intervals stand.
+  void widen_in_series(RunContext& context, const MeasuredFit& fit, std::uint64_t stage,
+                       const std::vector<std::vector<double>>& starts,
+                       std::vector<optim::LeastSquaresResult>& fits, Teller& teller) {
+    const std::optional<std::size_t> best = best_fit(fit, fits);
+    if (!best || stated_ || !columns_.empty() || loss_ != optim::Loss::squares) return;
+    std::vector<double> values;
+    for (const optim::Estimate& e : fits[*best].estimates) values.push_back(e.value);
+    const optim::Residuals at = fit.residuals(values);
+    if (!at.failure.empty() || fit.exact(root_mean(fits[*best], fit))) return;
+    CalibrateResult points;
+    points.data = points_of(fit, tables_);
+    serial_ = optim::serial_errors(at, fits[*best], measured_series(points), confidence_);
+    if (serial_.small_sample.empty()) return;
+    small_sample_ = serial_.small_sample;
+    fits[*best] = one_fit(context, stage + *best, starts[*best], teller);
   }
 
   // With this many numbers more than parameters in each column the correction of first order is enough: intervals of 95 %
@@ -387,6 +408,7 @@ class CalibrateRun final : public StudyKindRun {
   double confidence_;
   std::vector<double> deviations_;                // of the columns, once they are known
   std::vector<optim::SmallSample> small_sample_;  // what they make of each interval
+  optim::SerialErrors serial_;                    // errors in series, which widen intervals
   std::string unsettled_;                         // why they are not settled
   bool stated_;  // the width of the intervals follows from the standard deviations of the data
 };

@@ -6,6 +6,7 @@
 #include "kinds/calibrate/residual_tests.hpp"
 #include "kinds/calibrate/unseen_changes.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/outliers.hpp>
 
 #include <algorithm>
@@ -36,12 +37,8 @@ class Calibration {
     result_.confidence = asked.confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
     result_.unit = fit_.unit();
-    for (const MeasuredPoint& point : fit_.points()) {
-      result_.data.push_back(point_of(point));
-      if (point.table < asked.tables.size())
-        result_.data.back().where =
-            asked.tables[point.table] + ":" + std::to_string(point.cell.line);
-    }
+    result_.data = points_of(fit_, asked.tables);
+    add_serial(asked.serial);
     if (!asked.columns.empty()) add_columns(asked);
   }
 
@@ -74,6 +71,16 @@ class Calibration {
   }
 
  private:
+  void add_serial(const optim::SerialErrors& serial) {
+    if (serial.small_sample.empty()) return;
+    CalibrateResult::Serial& told = result_.serial.emplace();
+    told.correlation = serial.correlation;
+    for (const optim::SmallSample& sample : serial.small_sample)
+      told.widening = std::max(told.widening, sample.widening * sample.quantile);
+    told.widening /= optim::student_quantile(serial.small_sample.front().freedom,
+                                             0.5 + 0.5 * result_.confidence);
+  }
+
   void add_columns(const CalibrationAsked& asked) {
     for (std::size_t i = 0; i < asked.columns.size(); ++i) {
       const MeasuredPoint& point = fit_.points()[i];
@@ -359,6 +366,17 @@ CalibrateResult::Point point_of(const MeasuredPoint& measured) {
     point.set.push_back(
         {std::string(info(parameter).name), std::string(info(parameter).unit), value});
   return point;
+}
+
+std::vector<CalibrateResult::Point> points_of(const MeasuredFit& fit,
+                                              const std::vector<std::string>& tables) {
+  std::vector<CalibrateResult::Point> list;
+  for (const MeasuredPoint& measured : fit.points()) {
+    list.push_back(point_of(measured));
+    if (measured.table < tables.size())
+      list.back().where = tables[measured.table] + ":" + std::to_string(measured.cell.line);
+  }
+  return list;
 }
 
 double root_mean(const LeastSquaresResult& one, const MeasuredFit& fit) {

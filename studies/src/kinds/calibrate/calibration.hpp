@@ -5,6 +5,7 @@
 #include "kinds/rows/study_kind.hpp"
 
 #include <twum/optim/fit_profile.hpp>
+#include <twum/optim/serial_errors.hpp>
 
 #include <functional>
 #include <optional>
@@ -19,7 +20,9 @@ struct CalibrationAsked {
   std::vector<std::string> tables{};  ///< of the measurements, without folders
   double confidence{0.95};            ///< level of the intervals
   std::vector<std::size_t>
-      columns{};            ///< as AskedFit::columns; the fit is in parts of their deviations
+      columns{};  ///< as AskedFit::columns; the fit is in parts of their deviations
+  /// errors in series, by which the intervals are widened
+  optim::SerialErrors serial{};
   std::string unsettled{};  ///< why these deviations are not settled; empty: they are
   /// Whether a path joins another optimum to the best fit inside the joint confidence region; none: never.
   std::function<bool(const optim::LeastSquaresResult& best, std::span<const double> other)>
@@ -30,6 +33,10 @@ struct CalibrationAsked {
 
 /// A measured point as a result shows it; fitted and residual are NaN.
 CalibrateResult::Point point_of(const MeasuredPoint& measured);
+/// The measured points as a result shows them; fitted and residual are NaN.
+/// @param tables  names of the tables
+std::vector<CalibrateResult::Point> points_of(const MeasuredFit& fit,
+                                              const std::vector<std::string>& tables);
 
 /// Root of the weighted mean square of the residuals of a fit [N m].
 double root_mean(const optim::LeastSquaresResult& one, const MeasuredFit& fit);

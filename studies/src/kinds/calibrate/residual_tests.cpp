@@ -159,6 +159,14 @@ void test_kinds(CalibrateResult& result, const std::vector<Points>& kinds) {
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> measured_series(const CalibrateResult& result) {
+  std::vector<std::vector<std::size_t>> list;
+  for (const Points& kind : kinds_of(result))
+    if (const std::optional<NamedValue> over = axis_of(result.data, *kind.front()))
+      for (auto& one : all_series(kind, *over)) list.push_back(std::move(one));
+  return list;
+}
+
 void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
                     const optim::LeastSquaresResult& fit, bool deviations, double known) {
   if (result.exact || result.degrees_of_freedom == 0) return;

@@ -3,6 +3,8 @@
 
 #include <twum/studies/calibrate_result.hpp>
 
+#include <vector>
+
 namespace twum::studies {
 
 /// Fills in what chance says of the residuals (section 4 of the theory): how alike neighbours are, whether the readings of a
@@ -13,5 +15,8 @@ namespace twum::studies {
 /// @param known       standard deviation of a residual of weight 1 if it is stated; else NaN
 void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
                     const optim::LeastSquaresResult& fit, bool deviations, double known);
+
+/// The numbers of the points that are neighbours of each other on the bench, in the order of what it varied: of all kinds of data.
+std::vector<std::vector<std::size_t>> measured_series(const CalibrateResult& result);
 
 }  // namespace twum::studies

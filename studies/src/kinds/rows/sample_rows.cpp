@@ -21,6 +21,29 @@ StoredRow row_of(std::uint64_t stage, std::uint64_t index) {
   return row;
 }
 
+struct RowsOfStage {
+  std::uint64_t stage, count;
+  std::uint64_t offset, total;  // of the progress shown
+};
+
+template <typename Ask>
+bool store_asked(RunContext& context, const RowsOfStage& wanted, const Ask& ask) {
+  const auto proceed = [&] { return !context.stop.stop_requested(); };
+  const auto make = [&](std::uint64_t first, std::uint64_t end) {
+    std::vector<StoredRow> asked;
+    for (std::uint64_t index = first; index < end; ++index) asked.push_back(ask(index));
+    return context.executor.rows(asked, proceed);
+  };
+  const auto store = [&](std::uint64_t first, const std::vector<StoredRow>& rows) {
+    for (const StoredRow& row : rows) context.store.add(row);
+    if (context.progress)
+      context.progress({.done = wanted.offset + first + rows.size(), .total = wanted.total});
+  };
+  const IndexRange missing{context.store.next_index(wanted.stage), wanted.count,
+                           context.executor.lanes(), proceed};
+  return run_blocks(missing, make, store) >= wanted.count;
+}
+
 // Why a design is not admissible, without its values, so that equal reasons can be counted.
 std::string short_reason(const DesignFailure& failure) {
   const std::string& text = failure.text;
@@ -32,20 +55,13 @@ std::string short_reason(const DesignFailure& failure) {
 
 bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count, std::uint64_t offset,
                 std::uint64_t total) {
-  const auto proceed = [&] { return !context.stop.stop_requested(); };
-  const auto make = [&](std::uint64_t first, std::uint64_t end) {
-    std::vector<StoredRow> asked;
-    for (std::uint64_t index = first; index < end; ++index) asked.push_back(row_of(stage, index));
-    return context.executor.rows(asked, proceed);
-  };
-  const auto store = [&](std::uint64_t first, const std::vector<StoredRow>& rows) {
-    for (const StoredRow& row : rows) context.store.add(row);
-    if (context.progress)
-      context.progress({.done = offset + first + rows.size(), .total = total > 0 ? total : count});
-  };
-  const IndexRange missing{context.store.next_index(stage), count, context.executor.lanes(),
-                           proceed};
-  return run_blocks(missing, make, store) >= count;
+  return store_asked(context, {stage, count, offset, total > 0 ? total : count},
+                     [stage](std::uint64_t index) { return row_of(stage, index); });
+}
+
+bool store_rows(RunContext& context, std::uint64_t count,
+                const std::function<StoredRow(std::uint64_t index)>& ask) {
+  return store_asked(context, {0, count, 0, count}, ask);
 }
 
 RowEvaluator::RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics)

@@ -8,6 +8,7 @@
 #include <twum/motors/expression.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,10 @@ namespace twum::studies {
 /// @return true if the stage is complete, false if the run was asked to stop
 bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
                 std::uint64_t offset = 0, std::uint64_t total = 0);
+
+/// The same for rows of stage 0 whose variables `ask` gives.
+bool store_rows(RunContext& context, std::uint64_t count,
+                const std::function<StoredRow(std::uint64_t index)>& ask);
 
 /// Metrics of a motor with some parameters replaced, as a row: variables first, then metrics; a design
 /// or metric without an answer has NaN and a status such as "stall_torque: no-periodic-state".

@@ -16,7 +16,7 @@ class LocalSensitivity : public SensitivityRun {
  public:
   LocalSensitivity(const SensitivityStudy& asked, const MotorDesign& motor)
       : SensitivityRun(asked, motor), gradients_(metrics_, varied_) {
-    for (const DesignVariable& range : asked.variables)
+    for (const DesignVariable& range : box_.ranges())
       motor_.push_back(std::isnan(range.start) ? get(base_, range.parameter) : range.start);
   }
 
@@ -80,10 +80,14 @@ class LocalSensitivity : public SensitivityRun {
       const double* part = &numbers[i * stride];
       metric.smoothness = static_cast<Smoothness>(static_cast<int>(part[0]));
       MetricSensitivity::Local effects;
+      double variance = 0;  // to first order
       for (std::size_t j = 0; j < variables(); ++j) {
-        const double slope = part[1 + j];
-        effects.push_back({slope, metric.value == 0 ? kNoValue : slope * motor_[j] / metric.value});
+        const double slope = part[1 + j], spread = std::fabs(slope) * box_.sd(j);
+        effects.push_back(
+            {slope, metric.value == 0 ? kNoValue : slope * motor_[j] / metric.value, spread});
+        variance += spread * spread;
       }
+      metric.sd = std::sqrt(variance);
       metric.effects = std::move(effects);
     }
   }

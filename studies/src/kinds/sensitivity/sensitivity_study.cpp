@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sensitivity/sensitivity_study.hpp"
 
+#include "entries/tolerance_shape.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,16 +10,18 @@ namespace twum::studies {
 
 SensitivityRun::SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor)
     : base_(motor),
-      box_(asked.variables),
+      box_(asked.tolerances.empty() ? UnitBox(asked.variables) : UnitBox(asked.tolerances, motor)),
       varied_(base_, box_.parameters(), asked.derived),
       metrics_(with_derived(asked.metrics, asked.derived)),
       evaluator_(varied_, metrics_),
-      confidence_(asked.confidence) {}
+      confidence_(asked.confidence),
+      notes_(shapes::tolerance_notes(asked.tolerances, motor)) {}
 
 SensitivityResult SensitivityRun::frame(const char* method) const {
   SensitivityResult result;
   result.method = method;
   result.confidence = confidence_;
+  result.tolerances = box_.of_tolerances();
   const std::vector<StoredColumn> all = columns();
   const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
   result.variables.assign(all.begin(), metrics);

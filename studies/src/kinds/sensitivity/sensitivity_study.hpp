@@ -13,6 +13,7 @@ class SensitivityRun : public StudyKindRun {
  public:
   std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return box_.size(); }
+  std::vector<std::string> notes() const override { return notes_; }
 
  protected:
   SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor);
@@ -30,6 +31,7 @@ class SensitivityRun : public StudyKindRun {
   std::vector<MetricExpression> metrics_;
   RowEvaluator evaluator_;
   double confidence_;
+  std::vector<std::string> notes_;
 };
 
 std::unique_ptr<StudyKindRun> make_local_sensitivity(const SensitivityStudy& asked,

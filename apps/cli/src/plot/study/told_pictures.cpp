@@ -119,7 +119,10 @@ Panel panel_of(const telling::Chart& chart) {
 // Several charts are panels over one axis.
 Picture chart_picture(const FinishedStudy& study, const telling::Section& section) {
   const bool one = section.charts.size() == 1;
-  Chart chart{study.title(read(one ? section.charts.front().title : section.heading)), {}, !one};
+  Chart chart{study.title(read(one ? section.charts.front().title : section.heading)),
+              {},
+              !one,
+              section.columns};
   for (const telling::Chart& told : section.charts) chart.panels.push_back(panel_of(told));
   return picture_of(file_word(one ? section.charts.front().name : read(section.heading)), chart);
 }
