@@ -56,15 +56,15 @@ int run_study_command(const StudyCommand& options, studies::Study asked) {
   file.path = options.motor.path;
   file.asked = std::move(asked);
   const studies::StudyResult result = result_of(file, run);
-  if (result.outcome == "interrupted") return kInterrupted;
-  const std::vector<Picture> pictures = plot && result.outcome == "done"
+  if (result.outcome == studies::StudyOutcome::interrupted) return kInterrupted;
+  const std::vector<Picture> pictures = plot && result.outcome == studies::StudyOutcome::done
                                             ? told_pictures({file, result, *result.rows})
                                             : std::vector<Picture>{};
   if (!pictures.empty()) plot->draw(pictures.front().size, pictures.front().script);
   output.write(text_of(result, options.output.format));
   output.finish();
   print_model_notes(file.motor.design);
-  return result.outcome == "done" ? kDone : kNoAnswer;
+  return result.outcome == studies::StudyOutcome::done ? kDone : kNoAnswer;
 }
 
 }  // namespace twum::cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace twum::core {
@@ -57,6 +58,50 @@ bool joined(const CurveNode& a, const CurveNode& b) {
          (hidden <= kRules.hidden_jump || a.solved.signature() == b.solved.signature());
 }
 
+// The second derivative of ln H over ln A at both ends of the cubic through two neighbours.
+struct EndBends {
+  double at_a, at_b;
+};
+
+EndBends end_bends(const CurveNode& a, const CurveNode& b) {
+  const double apart = b.at.x - a.at.x, mean = (b.at.y - a.at.y) / apart;
+  return {(6 * mean - 4 * a.rise - 2 * b.rise) / apart,
+          (2 * a.rise + 4 * b.rise - 6 * mean) / apart};
+}
+
+// The smallest slope of that cubic, where both ends rise or both fall; negative if it changes its sign between them.
+double least_slope(const CurveNode& a, const CurveNode& b) {
+  const EndBends bends = end_bends(a, b);
+  const double sign = a.rise > 0 ? 1 : -1, ka = sign * bends.at_a, kb = sign * bends.at_b;
+  if (!(ka < 0 && kb > 0)) return std::fmin(sign * a.rise, sign * b.rise);
+  return sign * a.rise - 0.5 * ka * ka * (b.at.x - a.at.x) / (kb - ka);
+}
+
+// H has one extremum between two neighbours if its slope changes its sign from one to the other, and else none.
+// @param doubt  by how much the cubics on both sides of a neighbour differ in the second derivative there
+bool turns_as_slopes_tell(const CurveNode& a, const CurveNode& b, double doubt) {
+  const EndBends bends = end_bends(a, b);
+  const double apart = b.at.x - a.at.x, ka = std::fabs(bends.at_a), kb = std::fabs(bends.at_b);
+  if (apart <= kRules.closest || std::fmax(ka, kb) * apart * apart <= kRules.hidden_bend)
+    return true;
+  const bool slope_goes_one_way =
+      bends.at_a * bends.at_b > 0 && std::fmin(ka, kb) > kRules.sure_bend * doubt;
+  const bool keeps_sign = a.rise * b.rise > 0;
+  return slope_goes_one_way ||
+         (keeps_sign && least_slope(a, b) > kRules.sure_slope * doubt * apart);
+}
+
+// Of the step from the last sample of a list to the next one, which is the last of those ahead.
+bool in_doubt(const std::vector<CurveNode>& done, const std::vector<CurveNode>& ahead) {
+  const CurveNode &a = done.back(), &b = ahead.back();
+  const EndBends here = end_bends(a, b);
+  double doubt = 0;
+  if (done.size() > 1) doubt = std::fabs(here.at_a - end_bends(done.end()[-2], a).at_b);
+  if (ahead.size() > 1)
+    doubt = std::fmax(doubt, std::fabs(here.at_b - end_bends(b, ahead.end()[-2]).at_a));
+  return !turns_as_slopes_tell(a, b, doubt);
+}
+
 bool jumps(const CurveNode& a, const CurveNode& b) { return a.jump && b.jump; }
 
 }  // namespace
@@ -81,54 +126,54 @@ ForceLine::ForceLine(const DrivenWaves& waves, double speed)
   if (waves.drive() > 0) extend_below(waves.drive());
 }
 
-// With mu_0 = mu H is continuous. Otherwise it is sampled, as some amplitudes have no periodic state, and only laps from rest tell
-// which of several is the layer's.
+// With mu_0 > mu some amplitudes have no periodic state, and only laps from rest tell which of several is the layer's.
 void ForceLine::follow(double low, double high, Jumps jumps) {
-  const bool sampled = waves_.has_static_excess();
-  for (double x = low; x < high; x += sampled ? kRules.jumping_step : kRules.voltage.longest) {
-    const auto first = curve_.at_amplitude(x);
-    if (!first) continue;
-    if (!sampled) {
-      // Where R is negative in any case both |R| and I grow.
-      const double y = std::log(waves_.drive()), last = 0.5 * highest_extremum(waves_);
-      nodes_ = curve_.follow(*first, true, [y, last](const std::vector<CurveNode>& nodes) {
-        const CurveNode& n = nodes.back();
-        return n.amplitude > last && n.behind && n.rise > 1 && n.at.y > y;
-      });
-      for (int i = 0; i < kRules.hidden_folds && look_closer(); ++i) continue;
-      return;
-    }
-    nodes_.empty() ? nodes_.push_back(*first) : append(*first, jumps);
+  if (!waves_.has_static_excess()) return follow_continuous(low, high);
+  for (double x = low; x < high; x += kRules.jumping_step) {
+    auto next = curve_.at_amplitude(x);
+    if (next) nodes_.empty() ? nodes_.push_back(std::move(*next)) : append(std::move(*next), jumps);
   }
 }
 
-// Adds a wave between two neighbours where H keeps rising or falling, but lines through the slopes on both sides lead to one that is much
-// smaller: there may be two extrema. False if there was none.
-bool ForceLine::look_closer() {
-  std::vector<double> places;
-  for (std::size_t i = 1; i + 2 < nodes_.size(); ++i) {
-    const CurveNode *n = &nodes_[i - 1], &a = n[1], &b = n[2];
-    if (a.fold || b.fold || a.rise * b.rise < 0) continue;
-    const double apart = b.at.x - a.at.x, sign = a.rise > 0 ? 1 : -1,
-                 before = sign * (a.rise - n[0].rise) / (a.at.x - n[0].at.x),
-                 after = sign * (n[3].rise - b.rise) / (n[3].at.x - b.at.x);
-    if (!(before < 0 && after > 0)) continue;
-    const double met =
-        std::clamp((after * apart - sign * (b.rise - a.rise)) / (after - before), 0.0, apart);
-    const double least = std::fmin(std::fabs(a.rise), std::fabs(b.rise));
-    if (sign * a.rise + before * met < kRules.flat * least) places.push_back(a.at.x + 0.5 * apart);
+// With mu_0 = mu H is continuous, and so is its slope but at kinks.
+void ForceLine::follow_continuous(double low, double high) {
+  const double steps = std::ceil((high - low) / kRules.voltage.longest);
+  std::vector<CurveNode> samples;
+  for (double i = 0; i <= steps && (i < 2 || !is_past_extrema(samples.back())); ++i) {
+    auto next = curve_.at_amplitude(low + i / steps * (high - low),
+                                    samples.empty() ? nullptr : &samples.back().start);
+    if (!next) continue;
+    samples.push_back(std::move(*next));
   }
-  if (places.empty()) return false;
-  std::vector<CurveNode> all;
-  std::swap(all, nodes_);
-  std::erase_if(all, [](const CurveNode& n) { return n.fold; });
-  const auto below = [](double x, const CurveNode& n) { return x < n.at.x; };
-  for (const double x : places)
-    if (auto n = curve_.at_amplitude(x))
-      all.insert(std::upper_bound(all.begin(), all.end(), x, below), std::move(*n));
-  for (CurveNode& n : all)
-    nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.add(nodes_, std::move(n));
-  return true;
+  for (CurveNode& n : halved_where_in_doubt(std::move(samples)))
+    nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.append(nodes_, std::move(n));
+}
+
+// Where R is negative in any case both |R| and I grow.
+bool ForceLine::is_past_extrema(const CurveNode& n) const {
+  return n.amplitude > 0.5 * highest_extremum(waves_) && n.behind && n.rise > 1 &&
+         n.at.y > std::log(waves_.drive());
+}
+
+// Halves the steps in which H may turn more often than the slopes at their ends tell. What is known of a step follows from the ones
+// beside it, so that the one before a halved step is looked at again.
+std::vector<CurveNode> ForceLine::halved_where_in_doubt(std::vector<CurveNode> samples) const {
+  std::vector<CurveNode> done,
+      ahead(std::make_move_iterator(samples.rbegin()), std::make_move_iterator(samples.rend()));
+  const auto move_last = [](std::vector<CurveNode>& from, std::vector<CurveNode>& to) {
+    to.push_back(std::move(from.back())), from.pop_back();
+  };
+  while (!ahead.empty()) {
+    std::optional<CurveNode> middle;
+    if (!done.empty() && in_doubt(done, ahead)) middle = curve_.halfway(done.back(), ahead.back());
+    if (!middle) {
+      move_last(ahead, done);
+      continue;
+    }
+    ahead.push_back(std::move(*middle));
+    if (done.size() > 1) move_last(done, ahead);
+  }
+  return done;
 }
 
 // A sample, after what lies between it and the last one: halves until the slopes explain how H changes, or only a jump is left.

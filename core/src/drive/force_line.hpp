@@ -61,12 +61,14 @@ class ForceLine {
  private:
   std::optional<CurveNode> held_after(std::size_t i) const;
   void follow(double low, double high, Jumps jumps);
+  void follow_continuous(double low, double high);
+  bool is_past_extrema(const CurveNode& n) const;
+  std::vector<CurveNode> halved_where_in_doubt(std::vector<CurveNode> samples) const;
   void append(CurveNode next, Jumps jumps);
   bool turns_to(const CurveNode& next);
   bool may_hold_between(const CurveNode& a, const CurveNode& b) const;
   void push_jump(CurveNode next);
   void pass_gap(CurveNode next, double inside, Jumps jumps);
-  bool look_closer();
   void extend_below(double force);
 
   const DrivenWaves& waves_;

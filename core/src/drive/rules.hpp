@@ -21,9 +21,10 @@ struct ContinuationRules {
   /// power of the step: at a 24th it is below what one turn of the layer mends. A wave that Newton's method then moves is right
   /// to the square of `settled`. Two folds of a motor that is about to lose both lie a hundredth of A apart.
   CurveSteps speed{1.0 / 24, 0.01, 3e-4, 1e-9};
-  /// Over the voltage at one speed. H bends over amplitudes of its own size; only its extrema and the waves of one voltage are
-  /// asked, which are found by themselves. The states are crude enough for a track without splits.
-  CurveSteps voltage{0.6, 0.6, 0.1, 1e-5};
+  /// Over the voltage at one speed, where each amplitude has one wave: steps of ln A, which are halved where `sure_slope` and
+  /// `sure_bend` say. Only extrema and the waves of one voltage are asked, which are found by themselves. The states are crude enough
+  /// for a track without splits.
+  CurveSteps voltage{0.4, 0.4, 0, 1e-5};
   /// Over the frequency at rest, of which only the folds are asked.
   CurveSteps frequency{0.4, 0.1, 0.01, 1e-7};
   /// The same where H may jump (mu_0 > mu), or have no value: it is sampled.
@@ -48,8 +49,15 @@ struct ContinuationRules {
   /// What a step of Newton's method with the slopes of four nodes leaves of the guess's error in usual motors. The proof of the
   /// point and the balance of its drive tell where it is more.
   double left_by_turn = 1e-5;
-  /// Share of the smaller slope of two waves below which lines through the slopes beside them must lead for two folds to be between.
-  double flat = 0.7;
+  /// Error of the slope of a cubic of ln H, in the step times the jump of the second derivative from one cubic to the next. A smooth H
+  /// leaves a twentieth, a jump of its own second derivative, where a zone begins, at most a fourth.
+  double sure_slope = 0.5;
+  /// Second derivative whose sign is sure, in such jumps.
+  double sure_bend = 4;
+  /// Second derivative times the square of a step below which two extrema in it differ by less than a millionth of H.
+  double hidden_bend = 4e-6;
+  /// Shortest step that is halved: what the states leave of H, over its square, is a doubt of no more than one.
+  double closest = 1e-4;
   /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
   double nearly_flat = 0.3;
   /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.

@@ -25,14 +25,27 @@ std::size_t place_of(Metric metric) {
   }
 }
 
-// The highest maximum that a start has to pass, or the lowest minimum that holds the running wave.
-std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, bool start) {
+// The highest maximum or the lowest minimum.
+std::optional<ForceExtremum> outermost(const std::vector<ForceExtremum>& extrema, bool start) {
   std::optional<ForceExtremum> best;
   for (const ForceExtremum& e : extrema) {
     if (e.maximum != start) continue;
     if (!best || (e.force > best->force) == start) best = e;
   }
   return best;
+}
+
+// A start has to pass the maximum from which H falls most, a running wave ends at the minimum to which it does. H may have more of
+// them where it rises: ripples, and jumps by parts of a per cent far beyond the running wave.
+std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, bool start) {
+  const ForceExtremum *from = nullptr, *to = nullptr, *highest = nullptr;
+  for (const ForceExtremum& e : extrema) {
+    if (e.maximum && (!highest || e.force > highest->force)) highest = &e;
+    if (e.maximum || !highest) continue;
+    if (!from || highest->force / e.force > from->force / to->force) from = highest, to = &e;
+  }
+  if (!from) return outermost(extrema, start);
+  return start ? *from : *to;
 }
 
 // Beyond all folds on the other side a stable wave goes on without end.
@@ -181,10 +194,9 @@ void Thresholds::take_folds(const std::vector<CurveNode>& nodes) {
 std::optional<Threshold> Thresholds::jumping_frequency(bool start) {
   const auto at = [&](double f, double lowest, double highest) {
     const DrivenWaves waves = waves_at(f);
-    const ForceLine line =
-        highest > 0 ? ForceLine(waves, 0, lowest / kRules.island, highest * kRules.island)
-                    : ForceLine(waves, 0);
-    return chosen(line.extrema(), start);
+    if (!(highest > 0)) return chosen(ForceLine(waves, 0).extrema(), start);
+    const ForceLine nearby(waves, 0, lowest / kRules.island, highest * kRules.island);
+    return outermost(nearby.extrema(), start);
   };
   const auto excess = [&](const std::optional<ForceExtremum>& e) {
     return e ? std::log(e->force / waves_.drive()) : -1.0;

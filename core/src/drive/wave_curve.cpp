@@ -96,16 +96,16 @@ double WaveCurve::settled_on(double length) const {
   return std::fmin(steps_.settled, kRules.settled_share * length);
 }
 
-std::optional<CurveNode> WaveCurve::at_amplitude(double x) const {
+std::optional<CurveNode> WaveCurve::at_amplitude(double x, const WarmStart* guess) const {
   double off = 0;
-  auto n = corrected({x, 0}, nullptr, Correction::at_its_x, HUGE_VAL, 0, off, nullptr);
+  if (plane_.waves().has_static_excess()) guess = nullptr;
+  auto n = corrected({x, 0}, guess, Correction::at_its_x, HUGE_VAL, 0, off, nullptr);
   if (n && n->along.x < 0) turn_back(*n);
   return n;
 }
 
 double WaveCurve::longest(const CurveNode& from) const {
-  const bool exact = plane_.continued() == Continued::voltage;
-  if (!exact && std::fabs(from.along.y) < kRules.steep) return steps_.steep;
+  if (std::fabs(from.along.y) < kRules.steep) return steps_.steep;
   const bool brakes = plane_.continued() == Continued::speed && from.solved.numbers.torque < 0;
   return brakes ? 2 * steps_.longest : steps_.longest;
 }
@@ -144,8 +144,7 @@ bool WaveCurve::goes_back(const CurveNode& from, const CurveNode& to) const {
 std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
                                          const Stop& stop) const {
   std::vector<CurveNode> curve{from};
-  const bool exact = plane_.continued() == Continued::voltage;
-  if (changes_sign(exact ? from.along.x : from.along.y, upward ? 1 : -1)) turn_back(curve.front());
+  if (changes_sign(from.along.y, upward ? 1 : -1)) turn_back(curve.front());
   curve.front().place = 0;
   double length = std::fmin(longest(from), kRules.first_step);
   const auto closes = [&curve](const CurveNode& n) {
@@ -161,8 +160,7 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
     std::optional<CurveNode> next = take_step(curve, length, off, lands);
     const CurveNode& last = curve.back();
     if (next && goes_back(last, *next)) turn_back(*next);
-    const bool bends =
-        exact ? off > steps_.settled : next && dot(next->along, last.along) < kRules.turn;
+    const bool bends = next && dot(next->along, last.along) < kRules.turn;
     if (!next || (bends && length > kRules.corner)) {
       length *= 0.5;
       if (length >= kRules.shortest) continue;
@@ -189,8 +187,11 @@ bool WaveCurve::may_turn(const CurveNode& a, const CurveNode& b) const {
 }
 
 std::optional<CurveNode> WaveCurve::halfway(const CurveNode& a, const CurveNode& b) const {
-  if (plane_.continued() == Continued::voltage) return at_amplitude(0.5 * (a.at.x + b.at.x));
   double off = 0;
+  if (plane_.continued() == Continued::voltage) {
+    const WarmStart start = start_between(a, b, 0.5);
+    return at_amplitude(0.5 * (a.at.x + b.at.x), &start);
+  }
   const double apart = distance(a.at, b.at);
   return corrected(cubic(a, b, 0.5), &a.start, Correction::across, kRules.straight * apart,
                    settled_on(apart), off, &a.solved);
@@ -198,7 +199,6 @@ std::optional<CurveNode> WaveCurve::halfway(const CurveNode& a, const CurveNode&
 
 void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) const {
   const double apart = distance(curve.back().at, next.at);
-  next.place = curve.back().place + apart;
   if (apart > kRules.shortest && depth < kRules.hidden_folds && may_turn(curve.back(), next)) {
     if (auto middle = halfway(curve.back(), next)) {
       if (goes_back(curve.back(), *middle)) turn_back(*middle);
@@ -207,6 +207,11 @@ void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) co
       return;
     }
   }
+  append(curve, std::move(next));
+}
+
+void WaveCurve::append(std::vector<CurveNode>& curve, CurveNode next) const {
+  next.place = curve.back().place + distance(curve.back().at, next.at);
   if (changes_sign(curve.back().rise, next.rise) && !curve.back().fold) {
     if (auto turn = fold(curve.back(), next)) {
       put_fold(curve, std::move(*turn), std::move(next));
@@ -286,7 +291,8 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     const double step = next - x;
     // The error of a secant is the product of the last two steps, but for a factor; at a kink it stays a share of the last one.
     const bool smooth = std::fabs(step) <= kRules.secants * std::fabs(last * last_before);
-    if (inside && smooth && std::fabs(step) <= kRules.short_secant &&
+    const bool flat = !exact || std::fabs(n->rise) <= kRules.doubtful;
+    if (inside && smooth && flat && std::fabs(step) <= kRules.short_secant &&
         std::fabs(step * last) <= (exact ? kRules.extremum : kRules.last_secants)) {
       if (!exact) {
         n = on_curve({next, n->at.y + 0.5 * step * n->along.y / n->along.x}, start, kRules.fold);

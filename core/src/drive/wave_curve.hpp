@@ -32,10 +32,13 @@ class WaveCurve {
   std::vector<CurveNode> follow(const CurveNode& from, bool upward, const Stop& stop = {}) const;
   /// The whole curve through a wave.
   std::vector<CurveNode> through(const CurveNode& wave) const;
-  /// The wave of an amplitude; continued in voltage, each has one.
-  std::optional<CurveNode> at_amplitude(double x) const;
+  /// The wave of an amplitude; continued in voltage, each has one. A guess is of use with mu_0 = mu only.
+  std::optional<CurveNode> at_amplitude(double x, const WarmStart* guess = nullptr) const;
   /// Puts a node at the end of a curve, after the folds between it and the last one.
   void add(std::vector<CurveNode>& curve, CurveNode next, int depth = 0) const;
+  /// The same where it is known that no two folds hide.
+  void append(std::vector<CurveNode>& curve, CurveNode next) const;
+  std::optional<CurveNode> halfway(const CurveNode& a, const CurveNode& b) const;
   /// The wave between two nodes at a y, by Newton's method in a bracket.
   std::optional<CurveNode> between(const CurveNode& a, const CurveNode& b, double y) const;
 
@@ -64,7 +67,6 @@ class WaveCurve {
                double& rise_high) const;
   void put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
   bool may_turn(const CurveNode& a, const CurveNode& b) const;
-  std::optional<CurveNode> halfway(const CurveNode& a, const CurveNode& b) const;
   bool goes_back(const CurveNode& from, const CurveNode& to) const;
   double longest(const CurveNode& from) const;
   std::optional<CurveNode> root(PlanePoint p, WarmStart start, const SolvedPoint& near, bool rises,

@@ -142,11 +142,11 @@ bool CalibrateResult::determined() const {
   return undetermined.empty() && std::all_of(estimates.begin(), estimates.end(), of_use);
 }
 
-const char* CalibrateResult::verdict() const {
-  if (at_bounds()) return "at-bounds";
-  if (poor()) return "poor";
-  if (equals() > 1) return "several";
-  return determined() ? "fitted" : "undetermined";
+OutcomeWord CalibrateResult::verdict() const {
+  if (at_bounds()) return StudyOutcome::at_bounds;
+  if (poor()) return StudyOutcome::poor;
+  if (equals() > 1) return StudyOutcome::several;
+  return determined() ? StudyOutcome::fitted : StudyOutcome::undetermined;
 }
 
 }  // namespace twum::studies

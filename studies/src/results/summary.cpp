@@ -38,7 +38,7 @@ Json summary_value(const StudyResult& result) {
   Json json{{"study", result.study},
             {"kind", to_string(result.kind)},
             {"motor", result.motor},
-            {"outcome", result.outcome},
+            {"outcome", result.outcome.c_str()},
             {"evaluations", result.evaluations},
             {"failures", result.failures},
             {"failure_regions", regions_json(result.failure_regions)},

@@ -59,7 +59,7 @@ StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store
   RunContext context{store, *executor, options.stop, forwarded(options)};
   KindAnswer answer = kind.run(context);
   store.flush();
-  if (options.stop.stop_requested()) answer.outcome = "interrupted";
+  if (options.stop.stop_requested()) answer.outcome = StudyOutcome::interrupted;
   StudyResult result = result_of(file, kind, store, std::move(answer));
   result.study = name_of(file);
   return result;
@@ -102,7 +102,7 @@ class KeptRun {
       store_->set_fact(facts::kSeconds, number_text(result.seconds));
     }
     write_results(result);
-    if (result.outcome != "interrupted") store_->set_fact(facts::kComplete, "yes");
+    if (result.outcome != StudyOutcome::interrupted) store_->set_fact(facts::kComplete, "yes");
     read_back();
     return result;
   }

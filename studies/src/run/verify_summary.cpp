@@ -198,7 +198,7 @@ KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& sum
   }
   if (answer.outcome != summary.value("outcome", "")) {
     complain(found, "summary.json: outcome is '" + summary.value("outcome", "") +
-                        "' there, but follows from the rows as '" + answer.outcome + "'");
+                        "' there, but follows from the rows as '" + answer.outcome.c_str() + "'");
   }
   const Json now = std::visit([](const auto& one) { return answer_json(one); }, answer.answer);
   // Through a text, so that numbers are compared as they are in the file.

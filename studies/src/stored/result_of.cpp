@@ -14,7 +14,7 @@ StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const Res
   result.kind = file.kind();
   result.motor = file.motor.name;
   result.design = kind.own_motor().value_or(file.motor.design);
-  result.outcome = std::move(answer.outcome);
+  result.outcome = answer.outcome;
   result.evaluations = store.rows();
   result.seed = kind.seed();
   result.answer = std::move(answer.answer);

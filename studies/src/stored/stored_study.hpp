@@ -44,7 +44,9 @@ class StoredStudy {
   ResultStore& store() { return store_; }
   const nlohmann::ordered_json& summary() const { return summary_; }
   std::string name() const { return summary_.value("study", ""); }
-  bool interrupted() const { return summary_.value("outcome", "") == "interrupted"; }
+  bool interrupted() const {
+    return summary_.value("outcome", "") == to_string(StudyOutcome::interrupted);
+  }
   std::string text() const;  ///< content of study.yaml
 
   /// The answer that the study kind derives from the stored rows.

@@ -5,19 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <string>
 
 namespace twum::studies::telling {
 namespace {
 
-const char* begin_words(std::string_view outcome) {
-  if (outcome == "fitted") return "The data say: ";
-  if (outcome == "poor") return "The motor does not follow these points; it comes nearest with ";
-  if (outcome == "several") return "Several motors fit equally well; one of them has ";
-  if (outcome == "undetermined")
-    return "The points do not determine all of these; they are fitted best by ";
-  if (outcome == "at-bounds") return "Nothing was fitted: the search stopped at ";
-  return "The search stopped short, at ";
+const char* begin_words(StudyOutcome outcome) {
+  switch (outcome) {
+    case StudyOutcome::fitted: return "The data say: ";
+    case StudyOutcome::poor:
+      return "The motor does not follow these points; it comes nearest with ";
+    case StudyOutcome::several: return "Several motors fit equally well; one of them has ";
+    case StudyOutcome::undetermined:
+      return "The points do not determine all of these; they are fitted best by ";
+    case StudyOutcome::at_bounds: return "Nothing was fitted: the search stopped at ";
+    default: return "The search stopped short, at ";
+  }
 }
 
 // "preload 158 N (150 N to 166 N)"
@@ -60,7 +63,7 @@ Headline headline_of(const CalibrateResult& answer, const StudyResult& result) {
         Look::plain, "", {{"Nothing is measured yet. The table says what to measure first."}}, {}};
   if (answer.estimates.empty()) return no_fit(answer);
   Phrase first{begin_words(result.outcome)};
-  bool doubtful = result.outcome != "fitted";
+  bool doubtful = result.outcome != StudyOutcome::fitted;
   for (const CalibrateResult::Estimate& e : answer.estimates) {
     if (&e != &answer.estimates.front()) append(first, {strong(", ")});
     append(first, estimate_phrase(answer, e));

@@ -4,28 +4,27 @@
 
 #include <twum/io/words.hpp>
 
-#include <map>
-#include <string_view>
+#include <string>
 
 namespace twum::studies::telling {
 namespace {
 
-// Words of outcomes that mean the same for every kind.
-std::string outcome_words(const std::string& outcome) {
-  static const std::map<std::string_view, const char*> kWords = {
-      {"feasible", "keeps the limits, not shown to be best"},
-      {"infeasible", "no design keeps the limits"},
-      {"budget", "stopped by its budget"},
-      {"failed", "nothing could be computed"},
-      {"done", "complete"},
-      {"fitted", "the motor follows the points"},
-      {"poor", "the motor does not follow the points"},
-      {"several", "several motors fit equally well"},
-      {"undetermined", "the points do not determine every parameter"},
-      {"at-bounds", "every parameter at an end of its range"},
-      {"interrupted", "interrupted"}};
-  const auto known = kWords.find(outcome);
-  return known == kWords.end() ? outcome : known->second;
+const char* outcome_words(StudyOutcome outcome) {
+  switch (outcome) {
+    case StudyOutcome::optimal: return "optimal";
+    case StudyOutcome::feasible: return "keeps the limits, not shown to be best";
+    case StudyOutcome::infeasible: return "no design keeps the limits";
+    case StudyOutcome::budget: return "stopped by its budget";
+    case StudyOutcome::failed: return "nothing could be computed";
+    case StudyOutcome::done: return "complete";
+    case StudyOutcome::fitted: return "the motor follows the points";
+    case StudyOutcome::poor: return "the motor does not follow the points";
+    case StudyOutcome::several: return "several motors fit equally well";
+    case StudyOutcome::undetermined: return "the points do not determine every parameter";
+    case StudyOutcome::at_bounds: return "every parameter at an end of its range";
+    case StudyOutcome::interrupted: return "interrupted";
+  }
+  return "";
 }
 
 const char* kind_words(StudyKind kind) {
@@ -56,18 +55,19 @@ struct Badge {
   const StudyResult& result;
 
   std::string operator()(const OptimizeResult& answer) const {
-    if (result.outcome != "optimal") return outcome_words(result.outcome);
+    if (result.outcome != StudyOutcome::optimal) return outcome_words(result.outcome);
     const optim::Certificate& certificate = answer.best.certificate;
     return certificate.second_order || !certificate.passed ? "certified local optimum"
                                                            : "optimum to first order only";
   }
 
   std::string operator()(const ParetoResult& /*answer*/) const {
-    return result.outcome == "optimal" ? "every point certified" : outcome_words(result.outcome);
+    return result.outcome == StudyOutcome::optimal ? "every point certified"
+                                                   : outcome_words(result.outcome);
   }
 
   std::string operator()(const UncertaintyResult& answer) const {
-    if (result.outcome != "done" || !answer.yield) return outcome_words(result.outcome);
+    if (result.outcome != StudyOutcome::done || !answer.yield) return outcome_words(result.outcome);
     if (answer.weighted && answer.broken.value == 0) return "no failure found";
     return written(share_part(answer.yield->value), Writing::read) + " keep the limits";
   }
@@ -82,7 +82,7 @@ struct Badge {
 
 Headline headline(const StudyResult& result) {
   Headline told;
-  if (result.outcome == "interrupted")
+  if (result.outcome == StudyOutcome::interrupted)
     told = {Headline::Look::bad,
             "",
             {{strong("This study was interrupted"), "; what is here is not all of it."}},

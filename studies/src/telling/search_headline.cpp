@@ -210,7 +210,7 @@ Headline headline_of(const OptimizeResult& answer, const StudyResult& result) {
   if (!answer.found) return {Look::bad, "", {{strong("No design could be evaluated.")}}, {}};
   if (!answer.explanation.empty()) return relaxation_headline(answer.explanation);
   const Phrase second = answer.robust ? robust_sentence(*answer.robust) : stop_sentence(answer);
-  return {result.outcome == "optimal" ? Look::good : Look::bad,
+  return {result.outcome == StudyOutcome::optimal ? Look::good : Look::bad,
           "",
           {best_sentence(answer), second},
           {}};
@@ -219,7 +219,7 @@ Headline headline_of(const OptimizeResult& answer, const StudyResult& result) {
 Headline headline_of(const ParetoResult& answer, const StudyResult& result) {
   if (!answer.explanation.empty()) return relaxation_headline(answer.explanation);
   if (answer.front.empty()) return no_front(answer);
-  return {result.outcome == "optimal" ? Look::good : Look::bad,
+  return {result.outcome == StudyOutcome::optimal ? Look::good : Look::bad,
           "",
           {front_sentence(answer), knee_sentence(answer)},
           {}};

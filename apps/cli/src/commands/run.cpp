@@ -56,16 +56,18 @@ std::string directory_of(const StudyOptions& options) {
 // Whether a search has a design, or a front of designs, that keeps all limits: also one that used up its budget.
 std::optional<bool> keeps_all_limits(const studies::StudyResult& result) {
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
-    return result.outcome != "infeasible" && !front->front.empty();
+    return result.outcome != studies::StudyOutcome::infeasible && !front->front.empty();
   const auto* best = std::get_if<studies::OptimizeResult>(&result.answer);
   if (best == nullptr) return {};
-  return result.outcome != "infeasible" && best->found && studies::keeps_limits(best->best);
+  return result.outcome != studies::StudyOutcome::infeasible && best->found &&
+         studies::keeps_limits(best->best);
 }
 
 int status_of(const studies::StudyResult& result) {
-  if (result.outcome == "interrupted") return kInterrupted;
+  if (result.outcome == studies::StudyOutcome::interrupted) return kInterrupted;
   const bool answered =
-      keeps_all_limits(result).value_or(result.outcome == "done" || result.outcome == "fitted");
+      keeps_all_limits(result).value_or(result.outcome == studies::StudyOutcome::done ||
+                                        result.outcome == studies::StudyOutcome::fitted);
   return answered ? kDone : kNoAnswer;
 }
 
@@ -115,7 +117,8 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   output.finish();
   say("results: " + directory);
   say_motor_files(result, directory);
-  if (result.outcome == "interrupted") say_study_interrupted(result.evaluations);
+  if (result.outcome == studies::StudyOutcome::interrupted)
+    say_study_interrupted(result.evaluations);
   return status_of(result);
 }
 

@@ -7,6 +7,7 @@
 #include <twum/optim/neighbour_test.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/studies/move.hpp>
+#include <twum/studies/study_outcome.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -249,8 +250,8 @@ struct CalibrateResult {
   static bool of_use(const Estimate& estimate);
   /// Every parameter has an interval of use.
   bool determined() const;
-  /// Outcome of a finished search: "at-bounds", "poor", "several", "undetermined" or "fitted".
-  const char* verdict() const;
+  /// Outcome of a finished search: at_bounds, poor, several, undetermined or fitted.
+  OutcomeWord verdict() const;
 };
 
 }  // namespace twum::studies

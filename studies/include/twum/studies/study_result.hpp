@@ -6,6 +6,7 @@
 #include <twum/studies/sample_results.hpp>
 #include <twum/studies/search_results.hpp>
 #include <twum/studies/study_file.hpp>
+#include <twum/studies/study_outcome.hpp>
 
 #include <cstdint>
 #include <map>
@@ -42,16 +43,7 @@ struct StudyResult {
   std::string motor;                 ///< name of the motor
   /// the motor that was varied: that of the file, or the design of the earlier study that `start:` names
   MotorDesign design{};
-  /// Outcome: "interrupted" if a stop was requested, otherwise
-  /// * of a search: "optimal", "feasible", "infeasible", "budget" or "failed";
-  /// * of a calibration: one of these words, or
-  ///   "fitted",
-  ///   "poor" if the motor does not follow the points,
-  ///   "at-bounds" if every parameter is at an end of its range,
-  ///   "several" if different motors fit equally well,
-  ///   "undetermined" if the points do not determine every parameter;
-  /// * of other kinds: "done", or "failed" if nothing could be evaluated.
-  std::string outcome;
+  OutcomeWord outcome;                            ///< how it ended
   std::uint64_t evaluations{0};                   ///< rows of the store
   std::map<std::string, std::uint64_t> failures;  ///< count by reason
   std::vector<FailureRegion> failure_regions;     ///< one for each reason

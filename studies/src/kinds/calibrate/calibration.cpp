@@ -66,8 +66,8 @@ class Calibration {
     if (result_.folded) leave_out_moves();
     if (ended) result_.plan = measurement_plan(fit_, best, tables_);
     result_.unfinished = best.outcome == Outcome::optimal ? unsettled_ : best.word;
-    std::string outcome = outcome_of(best.outcome);
-    return {std::move(outcome), std::move(result_)};
+    const StudyOutcome outcome = outcome_after(best.outcome);
+    return {outcome, std::move(result_)};
   }
 
  private:
@@ -97,12 +97,12 @@ class Calibration {
   }
 
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
-  std::string outcome_of(Outcome search) const {
-    const std::string verdict = result_.verdict();
+  StudyOutcome outcome_after(Outcome search) const {
+    const StudyOutcome verdict = result_.verdict();
     if (search == Outcome::optimal && result_.unfinished.empty()) return verdict;
     if (search == Outcome::optimal || search == Outcome::feasible)
-      return verdict == "fitted" ? optim::to_string(Outcome::feasible) : verdict;
-    return optim::to_string(search);
+      return verdict == StudyOutcome::fitted ? StudyOutcome::feasible : verdict;
+    return outcome_of(search);
   }
 
   CalibrateResult::Start start_of(const LeastSquaresResult& one) const {

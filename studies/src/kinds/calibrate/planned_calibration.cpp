@@ -59,7 +59,7 @@ class PlanRun final : public StudyKindRun {
                                 {},
                                 0,
                                 one.deviation});
-    return {result.plan.empty() ? "failed" : "done", std::move(result)};
+    return {result.plan.empty() ? StudyOutcome::failed : StudyOutcome::done, std::move(result)};
   }
 
  private:

@@ -58,7 +58,7 @@ KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& conte
   const optim::RobustOptions options = log.options(beginning.options);
   const optim::RobustFront front = optim::solve_robust_front(posed, beginning.points, options);
   context.store.flush();
-  return {context.stop.stop_requested() ? "interrupted" : optim::to_string(front.outcome),
+  return {context.stop.stop_requested() ? StudyOutcome::interrupted : outcome_of(front.outcome),
           front_result(beginning, posed, front)};
 }
 

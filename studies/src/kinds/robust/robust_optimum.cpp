@@ -159,7 +159,7 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
         question, posed,
         has_nominal_value(goal) ? motors_before(beginning, options, context.executor)
                                 : nominal.seen);
-  if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
+  if (context.stop.stop_requested()) return {StudyOutcome::interrupted, std::move(plain)};
 
   plain.solver = found.last.solver;
   plain.stages = found.last.stages;
@@ -176,7 +176,7 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   }
   plain.robust = robust_report(question, posed, found, nominal);
   plain.robust->objective = objective_of(plain);
-  return {optim::to_string(found.outcome), std::move(plain)};
+  return {outcome_of(found.outcome), std::move(plain)};
 }
 
 }  // namespace twum::studies

@@ -37,7 +37,7 @@ struct Pace {
 
 /// Answer of a study kind.
 struct KindAnswer {
-  std::string outcome;  ///< as StudyResult::outcome
+  OutcomeWord outcome;
   Answer answer;
 };
 

@@ -89,7 +89,10 @@ class CurveRun : public StudyKindRun {
       result.members.push_back(member_answer(store, stage));
       any = any || result.members.back().failed < result.members.back().points;
     }
-    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+    return {!complete ? StudyOutcome::interrupted
+            : any     ? StudyOutcome::done
+                      : StudyOutcome::failed,
+            std::move(result)};
   }
 
   CurveResult::Member member_answer(const ResultStore& store, std::size_t stage) const {

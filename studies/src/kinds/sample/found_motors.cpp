@@ -36,7 +36,7 @@ struct Finder {
   const StudyResult& result;
 
   std::vector<FoundMotor> operator()(const OptimizeResult& answer) const {
-    const bool missed = answer.robust && result.outcome == "infeasible";
+    const bool missed = answer.robust && result.outcome == StudyOutcome::infeasible;
     if (!answer.found || missed || !keeps_limits(answer.best)) return {};
     return {{"best.yaml", "best design",
              motor_with(file, answer.best.design, "best of " + result.study)}};
@@ -57,8 +57,9 @@ struct Finder {
   // Tables with values of their own have a motor each.
   std::vector<FoundMotor> operator()(const CalibrateResult& answer) const {
     std::vector<FoundMotor> motors;
-    if (result.outcome != "fitted" && result.outcome != "several") return motors;
-    const bool one = result.outcome == "fitted";
+    if (result.outcome != StudyOutcome::fitted && result.outcome != StudyOutcome::several)
+      return motors;
+    const bool one = result.outcome == StudyOutcome::fitted;
     const std::vector<std::string> files = answer.files();
     for (const CalibrateResult::Optimum& optimum : answer.optima) {
       if (!optimum.fits_as_well || (one && !motors.empty())) continue;
@@ -135,7 +136,7 @@ std::string front_file(std::size_t number, std::size_t count) {
 std::string optimum_file(std::size_t number) { return "optima/" + two_digits(number); }
 
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result) {
-  if (result.outcome == "interrupted") return {};
+  if (result.outcome == StudyOutcome::interrupted) return {};
   return std::visit(Finder{file, result}, result.answer);
 }
 

@@ -109,7 +109,10 @@ class FrequencyRun : public StudyKindRun {
     const bool any =
         std::any_of(result.members.begin(), result.members.end(),
                     [](const FrequencyResult::Member& m) { return !m.branches.empty(); });
-    return {!complete ? "interrupted" : any ? "done" : "failed", result};
+    return {!complete ? StudyOutcome::interrupted
+            : any     ? StudyOutcome::done
+                      : StudyOutcome::failed,
+            result};
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {

@@ -213,7 +213,7 @@ class HeatRun : public StudyKindRun {
     result.family = family_, result.load = asked_.load();
     bool complete = true;
     for (std::size_t i = 0; complete && i < motors_.size(); ++i) {
-      if (context.stop.stop_requested()) return {"interrupted", result};
+      if (context.stop.stop_requested()) return {StudyOutcome::interrupted, result};
       result.members.push_back(member(i));
       complete =
           store_rows(context, i, asked_.points, asked_.points * i, asked_.points * motors_.size());
@@ -222,7 +222,10 @@ class HeatRun : public StudyKindRun {
     const bool any = std::ranges::any_of(result.members, [](const HeatResult::Member& one) {
       return (one.steady && one.steady->status == "ok") || (one.cycle && one.cycle->status == "ok");
     });
-    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+    return {!complete ? StudyOutcome::interrupted
+            : any     ? StudyOutcome::done
+                      : StudyOutcome::failed,
+            std::move(result)};
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {

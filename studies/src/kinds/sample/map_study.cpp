@@ -156,7 +156,7 @@ class MapRun : public StudyKindRun {
     bool complete = true;
     for (std::size_t i = 0; complete && i < motors_.size(); ++i)
       complete = store_rows(context, i, count(), count() * i, count() * motors_.size());
-    if (!complete) return {"interrupted", without_members()};
+    if (!complete) return {StudyOutcome::interrupted, without_members()};
     MapResult result = without_members();
     for (std::size_t i = 0; i < motors_.size(); ++i)
       result.members.push_back(member(context.store, i));
@@ -164,7 +164,7 @@ class MapRun : public StudyKindRun {
       return std::ranges::any_of(
           one.points, [](const MapResult::Point& point) { return point.status == "ok"; });
     });
-    return {any ? "done" : "failed", std::move(result)};
+    return {any ? StudyOutcome::done : StudyOutcome::failed, std::move(result)};
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {

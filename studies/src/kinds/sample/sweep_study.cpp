@@ -29,7 +29,10 @@ class SweepRun : public StudyKindRun {
     SweepResult result = answer(context.store);
     bool any = false;
     for (const SweepResult::Metric& metric : result.metrics) any = any || metric.count > 0;
-    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+    return {!complete ? StudyOutcome::interrupted
+            : any     ? StudyOutcome::done
+                      : StudyOutcome::failed,
+            std::move(result)};
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {

@@ -122,7 +122,7 @@ class ParetoRun : public SearchRun {
     auto& result = std::get<ParetoResult>(found.answer);
     result.before_design = reporter().design_of(before());
     result.before_metrics = reporter().metrics_of(before());
-    if (found.outcome != "infeasible") return found;
+    if (found.outcome != StudyOutcome::infeasible) return found;
     const optim::SolveOptions solve = options(log, context);
     result.explanation = reporter().explanation(
         problem().objectives.size() > 1 ? by_gradients(log.problem(), solve).infeasibility

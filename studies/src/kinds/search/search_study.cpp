@@ -180,8 +180,8 @@ std::vector<std::string> SearchRun::notes_before() const {
 
 // A search that was asked to stop may have a certified design, but not the one with which the whole search would have
 // ended.
-std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {
-  return context.stop.stop_requested() ? "interrupted" : optim::to_string(outcome);
+StudyOutcome SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {
+  return context.stop.stop_requested() ? StudyOutcome::interrupted : outcome_of(outcome);
 }
 
 const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {

@@ -60,8 +60,8 @@ class SearchRun : public StudyKindRun {
   /// @}
   const DesignProblem& problem() const { return problem_; }
   const MotorDesign& before() const { return before_; }
-  /// "interrupted" if it was asked to stop, otherwise the outcome's word.
-  static std::string outcome(optim::Outcome outcome, const RunContext& context);
+  /// That of the search, unless it was asked to stop.
+  static StudyOutcome outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
   // Made at the first use, because it throws for a question that has no meaning.
