@@ -229,25 +229,30 @@ TEST_CASE("derivatives over an operation are those of differences (H6.4, H6.5)",
                                              Parameter::drift_resonance_frequency,
                                              Parameter::drift_kinetic_friction,
                                              Parameter::ambient_temperature};
+  // what enters the losses, the network, and how the motor follows
+  const std::initializer_list<Parameter> some{Parameter::voltage, Parameter::thickness,
+                                              Parameter::stator_heat_capacity,
+                                              Parameter::drift_resonance_frequency};
   MotorDesign design = with_limits(with_table(warm_motor()));
   SECTION("peaks") {
     design.operation = kPhases;
-    for (const Metric peak : {Metric::stator_peak_temperature, Metric::rotor_peak_temperature,
-                              Metric::housing_peak_temperature, Metric::contact_peak_temperature})
-      check_by_differences(design, {peak}, all, 1e-3);
+    check_by_differences(design, {Metric::stator_peak_temperature}, all, 1e-3);
+    for (const Metric peak : {Metric::rotor_peak_temperature, Metric::housing_peak_temperature,
+                              Metric::contact_peak_temperature})
+      check_by_differences(design, {peak}, some, 1e-3);
   }
   SECTION("the warm motor at mean temperatures") {
     design.operation = kPhases;
     check_by_differences(
-        design, {Metric::stall_torque, Argument::none, 0, 0, LoadPoint{Argument::none, 0, 0}}, all,
+        design, {Metric::stall_torque, Argument::none, 0, 0, LoadPoint{Argument::none, 0, 0}}, some,
         1e-3);
   }
   SECTION("the time to a limit") {
-    check_by_differences(design, metric_at_torque(Metric::on_time_at, 0.5), all, 1e-3);
+    check_by_differences(design, metric_at_torque(Metric::on_time_at, 0.5), some, 1e-3);
   }
   SECTION("the duty limit") {
     design.operation = {{{}, 120, {}}};
-    check_by_differences(design, metric_at_torque(Metric::duty_limit_at, 0.5), all, 1e-3);
+    check_by_differences(design, metric_at_torque(Metric::duty_limit_at, 0.5), some, 1e-3);
   }
   SECTION("of one node") {
     design = as_one_node(design);

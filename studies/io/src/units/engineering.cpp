@@ -44,6 +44,8 @@ std::string with_unit(double value, const DisplayUnit& unit, const std::string& 
 std::vector<DisplayUnit> display_units(std::string_view si_unit) {
   if (si_unit == "1") return {{"", 1}};
   if (si_unit == "rad/s") return {{"rpm", 2 * std::numbers::pi / 60}};
+  // Nobody counts in kiloseconds.
+  if (si_unit == "s") return {{"h", 3600}, {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
   if (!takes_prefix(si_unit)) return {{std::string(si_unit), 1}};
   std::vector<DisplayUnit> units;
   for (const EngineeringPrefix& prefix : kEngineeringPrefixes)

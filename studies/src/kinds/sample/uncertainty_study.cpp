@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample/drawn_motors.hpp"
 
+#include <twum/base/no_value.hpp>
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/random.hpp>
 #include <twum/studies/estimate.hpp>
@@ -119,8 +120,11 @@ class UncertaintyRun : public DrawnMotors {
   }
 
   void describe(std::vector<double>& values, UncertaintyResult::Metric& metric) const {
+    // Of times of which some have no end there is no mean; their quantiles are times.
+    const bool endless =
+        std::ranges::any_of(values, [](double value) { return std::isinf(value); });
     Moments moments;
-    for (const double value : values) moments.add(value);
+    for (const double value : values) moments.add(endless ? kNoValue : value);
     metric.count = moments.count();
     metric.mean = moments.mean_estimate(kConfidence);
     metric.sd = moments.sd_estimate(kConfidence);
