@@ -289,7 +289,11 @@ function tell(section, hooks) {
   const node = card(section.heading, section.note.length ? phrase(section.note) : null, section.wide ? 'wide' : 'half');
   const several = section.charts.length > 1;
   const holder = several ? node.appendChild(el('div', {class: 'charts'})) : node;
-  if (section.columns) holder.style.gridTemplateColumns = 'repeat(' + section.columns + ', minmax(0, 1fr))';
+  if (section.columns) {
+    // On a narrow screen a matrix moves under its frame.
+    holder.style.gridTemplateColumns = 'repeat(' + section.columns + ', minmax(90px, 1fr))';
+    holder.style.overflowX = 'auto';
+  }
   const height = section.columns ? 170 : section.wide && !several ? 300 : 240;
   if (!hook?.draws)
     for (const chart of section.charts) {

@@ -332,7 +332,7 @@ class Command(program.Case):
                                     "metrics: [speed_at(0.5 N.m), holding_torque], variables: {preload: {sd: 3 %}}}\n")
         self.ok("run", path, "-o", self.folder / "out")
         names = {pathlib.Path(line).stem for line in self.ok("plot", self.folder / "out").splitlines()}
-        self.assertEqual(names, {"histogram-holding_torque", "curve", "fields"})
+        self.assertEqual(names, {"histogram-holding_torque", "scatter-preload-holding_torque", "curve", "fields"})
 
     def test_without_gnuplot(self):
         text = self.refused("plot", self.result(), status=3, env={"PATH": str(self.folder)})

@@ -137,9 +137,10 @@ void ForceLine::follow(double low, double high, Jumps jumps) {
 
 // With mu_0 = mu H is continuous, and so is its slope but at kinks.
 void ForceLine::follow_continuous(double low, double high) {
-  const double steps = std::ceil((high - low) / kRules.voltage.longest);
-  std::vector<CurveNode> samples;
-  for (double i = 0; i <= steps && (i < 2 || !is_past_extrema(samples.back())); ++i) {
+  const double steps = std::fmax(std::ceil((high - low) / kRules.voltage.longest), 1);
+  std::vector<CurveNode> samples;  // none where the contact has no answer
+  const auto is_done = [&] { return samples.size() > 1 && is_past_extrema(samples.back()); };
+  for (double i = 0; i <= steps && !is_done(); ++i) {
     auto next = curve_.at_amplitude(low + i / steps * (high - low),
                                     samples.empty() ? nullptr : &samples.back().start);
     if (!next) continue;

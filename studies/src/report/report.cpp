@@ -113,6 +113,8 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   const Json rows = rows_json(store);
   const telling::Sources sources{&study, &store};
   const Json limits = telling::curve_limits_json(result.answer);
+  const Json design = base_json(base);
+  const std::string named = text + design.dump();
   Json data{
       {"summary", summary},
       {"names", names_json(rows["columns"], limits)},
@@ -123,9 +125,9 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
       {"failures", failures_json(summary)},
       {"files", files_json(study, result)},
       {"study", text},
-      {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
-      {"parameters", parameters_json(text)},
-      {"metrics", metrics_json(text)},
+      {"motor", {{"name", study.motor.name}, {"design", design}}},
+      {"parameters", parameters_json(named)},
+      {"metrics", metrics_json(named)},
       {"reasons", reasons_json()},
       {"efficiencies", efficiencies_json()},
       {"designer", {{"motor", stated_motor_json(study.motor.name, base)}, {"units", units_json()}}},

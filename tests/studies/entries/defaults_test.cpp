@@ -25,6 +25,8 @@ std::vector<std::string> shortest_studies() {
       "{kind: curve}",
       "{kind: frequency}",
       "{kind: map}",
+      "{kind: heat, torque: 0.5 N.m}",
+      "{kind: life, torque: 0.5 N.m}",
       "{kind: optimize, maximize: peak_power, " + range + "}",
       "{kind: pareto, objectives: [{maximize: peak_power}, {minimize: preload}], " + range + "}",
       "{kind: size, duty: [{torque: 0.5 N.m, speed: 100 rpm}], " + range + "}",

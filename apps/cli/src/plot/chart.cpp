@@ -173,7 +173,7 @@ Picture matrix_picture(const std::string& name, const Chart& chart) {
   const PlotSize page{kLeft + columns * (kCell + kCellGap) + kRight,
                       top + rows * (kCell + kCellGap) + 3 * kBelow / 2};
   std::string script = plot_style(plot_text(studies::printable(chart.title, 84)), page.height) +
-                       "set xtics rotate by 60 right\nset multiplot\n";
+                       "set xtics rotate by 90 right\nset multiplot\n";
   std::size_t number = 0;
   for (int i = 0; i < static_cast<int>(chart.panels.size()); ++i) {
     const Panel& panel = chart.panels[static_cast<std::size_t>(i)];

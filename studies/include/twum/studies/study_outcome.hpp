@@ -33,16 +33,24 @@ StudyOutcome outcome_of(optim::Outcome search) noexcept;
 /// An outcome that reads as its word, too: `switch (result.outcome)` and `result.outcome == "optimal"`.
 class OutcomeWord {
  public:
+  /// From an outcome.
   OutcomeWord(StudyOutcome outcome = StudyOutcome::done) : outcome_(outcome) {}
-  /// @throws InputError for a word that is none of an outcome
+  /// From its word. @throws InputError for a word that is none of an outcome
+  /// @{
   OutcomeWord(std::string_view word);
   OutcomeWord(const char* word) : OutcomeWord(std::string_view(word)) {}
   OutcomeWord(const std::string& word) : OutcomeWord(std::string_view(word)) {}
+  /// @}
 
+  /// The outcome, or its word; static lifetime.
+  /// @{
   operator StudyOutcome() const noexcept { return outcome_; }
   operator std::string() const { return c_str(); }
   const char* c_str() const noexcept { return to_string(outcome_); }
+  /// @}
 
+  /// True if both are the same outcome, or the word is its own.
+  /// @{
   friend bool operator==(const OutcomeWord& a, const OutcomeWord& b) {
     return a.outcome_ == b.outcome_;
   }
@@ -52,6 +60,8 @@ class OutcomeWord {
   friend bool operator==(const OutcomeWord& a, const std::string& b) {
     return a == std::string_view(b);
   }
+  /// @}
+  /// Prints its word.
   friend std::ostream& operator<<(std::ostream& out, const OutcomeWord& word) {
     return out << word.c_str();
   }
