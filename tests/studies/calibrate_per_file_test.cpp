@@ -108,12 +108,10 @@ TEST_CASE("with every parameter per file a study is one study for each file",
   const auto tables_of = [](unsigned seed) {
     return std::array{points_of(bench(0.23), 4e-3, seed), points_of(bench(0.19), 4e-3, seed + 1)};
   };
-  const auto file_of = [](const std::string& table) {
-    Case one;
-    one.variables = Benches{}.variables;
-    return one.file(table);
-  };
+  Case one;
   Benches two;
+  one.variables = two.variables;
+  const auto file_of = [&](const std::string& table) { return one.file(table); };
   two.per_file = "youngs_modulus, kinetic_friction";
   const auto is_serial = [&](unsigned seed) {
     const auto tables = tables_of(seed);

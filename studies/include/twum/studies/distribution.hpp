@@ -32,12 +32,13 @@ class Distribution {
   double cdf(double x) const;
   /// The p-quantile, p in (0, 1); increases with p.
   double quantile(double p) const;
-  /// The quantile of Phi(z), of a standard normal z, and its slope: smooth, and as accurate far out in both tails. |z| is cut off at
-  /// 8.2, beyond which lies 1e-16.
+  /// A quantile by a standard normal number.
   struct OfNormal {
     double value;  ///< of the quantity
     double slope;  ///< its derivative with respect to z
   };
+  /// The quantile of Phi(z), of a standard normal z, and its slope: smooth, and as accurate far out in both tails. |z| is cut off at
+  /// 8.2, beyond which lies 1e-16.
   OfNormal of_normal(double z) const;
   /// The standard deviation, of what the limits leave.
   double sd() const;
