@@ -86,9 +86,9 @@ TEST_CASE("without drift a cycle of loads is one of constant losses (H5.1, H5.2)
   const double ambient = design.thermal->ambient;
   for (const Part part : {Part::stator, Part::rotor, Part::housing, Part::contact, Part::lining}) {
     CAPTURE(static_cast<int>(part));
-    // Newton's method ends at 1e-6 K; the contact jumps with the load, and the largest of both sides counts
-    CHECK(std::fabs(at(found.states[0], part) - ambient - at(expected.start, part)) <=
-          (part == Part::contact || part == Part::lining ? 1e3 : 1e-5));
+    // Newton's method ends at 1e-6 K, of a cycle whose slowest mode keeps a part of it; the contact jumps where the load begins
+    if (part != Part::contact && part != Part::lining)
+      CHECK(std::fabs(at(found.states[0], part) - ambient - at(expected.start, part)) <= 1e-5);
     CHECK(std::fabs(at(found.peak, part) - ambient - at(expected.peak, part)) <= 1e-5);
     CHECK(std::fabs(at(found.mean, part) - ambient - at(expected.mean, part)) <= 1e-5);
   }
@@ -113,7 +113,6 @@ TEST_CASE("the mean over a cycle is the steady state of its mean losses (H5.2)",
   mean = {mean.friction / period, mean.layer / period, mean.stator / period,
           mean.dielectric / period};
   const PartTemperatures steady = steady_rises(heat_network(design), mean);
-  // and a second way: the warm-up from cold through many cycles, sampled every second
   CHECK(std::fabs(found.mean.stator - kZero - 20 - steady.stator) <= 1e-6);
   CHECK(std::fabs(found.mean.housing - kZero - 20 - steady.housing) <= 1e-6);
   CHECK(found.peak.stator > found.mean.stator);
@@ -139,6 +138,17 @@ TEST_CASE("peaks are metrics of the operation", "[core][heat]") {
   const MetricRequest at{Metric::stall_torque, Argument::none, 0, 0, heat_load(0.5)};
   CHECK(std::fabs(evaluate(Motor(design), mean).value - evaluate(Motor(design), at).value) <=
         1e-6 * evaluate(Motor(design), at).value);
+}
+
+TEST_CASE("a node whose torque the motor does not carry has no network",
+          "[core][heat][edge_case]") {
+  MotorDesign design = as_one_node(without_drift());
+  CHECK(motor_network(design).has_value());
+  design.thermal->one_node->torque = 50;
+  CHECK(!motor_network(design));
+  const auto way = warm_up(design, heat_load(0.5), {0, 60});
+  REQUIRE(way.size() == 1);
+  CHECK(way.front().status == MetricStatus::unreachable);
 }
 
 TEST_CASE("the time to a limit is that of the warm-up (H4.2)", "[core][heat]") {

@@ -134,6 +134,14 @@ TEST_CASE("a motor without heat, or without a load, is refused with a sentence",
   CHECK_THROWS_WITH(heated({}), Catch::Contains("nothing loads the motor"));
 }
 
+TEST_CASE("a node whose torque the motor does not carry is refused", "[studies][heat]") {
+  MotorDesign design = warm_motor();
+  design.thermal = Thermal{};
+  design.thermal->one_node = OneNode{40, 50, 660};
+  CHECK_THROWS_WITH(heated({.torque = 0.5}, design),
+                    Catch::Contains("does not carry the torque of thermal.one_node, 50 N.m"));
+}
+
 TEST_CASE("an operation is read from a motor file and written again", "[studies][heat]") {
   MotorFile motor{"motor", with_operation(limited_motor())};
   motor.design.operation.push_back({LoadPoint{Argument::both, 6, 0.25}, 20, 90});

@@ -95,6 +95,33 @@ TEST_CASE("a motor without wear, or without a load, is refused with a sentence",
   CHECK_THROWS_WITH(lived({}), Catch::Contains("nothing loads the motor"));
 }
 
+TEST_CASE("a motor that only rests does not wear, which is an answer", "[studies][life]") {
+  MotorDesign design = worn_60();
+  design.operation = {{{}, 60, {}}};
+  const StudyResult result = lived({.points = 3}, design);
+  CHECK(result.outcome == "done");
+  CHECK(life_of(result).members.at(0).status == "does-not-wear");
+  CHECK(summary_text(result).find("does not wear: nothing slips in its contact") !=
+        std::string::npos);
+}
+
+TEST_CASE("a life without end is no goal, and keeps a limit", "[studies][life]") {
+  // a contact that never slips: what the motor does is to rest
+  MotorDesign design = worn_60();
+  design.operation = {{{}, 60, {}}};
+  const auto searched = [&](DesignProblem problem) {
+    problem.vary(Parameter::preload, 150, 190);
+    OptimizeStudy asked;
+    asked.variables = problem.variables, asked.objective = problem.objectives.front();
+    asked.constraints = problem.limits;
+    return run_study({.motor = {"motor", design}, .asked = asked});
+  };
+  CHECK_THROWS_WITH(searched(DesignProblem{}.maximize("life")),
+                    Catch::Contains("life has no end") && Catch::Contains("give it as a limit"));
+  CHECK(searched(DesignProblem{}.maximize("holding_torque").limit("life >= 1000 h")).outcome ==
+        "optimal");
+}
+
 TEST_CASE("wear is read from a motor file and written again", "[studies][life]") {
   const MotorFile motor = read_motor(Source(
       "worn.yaml",

@@ -30,6 +30,18 @@ void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least
   });
 }
 
+void add_held_load_options(CLI::App& command, LoadOptions& options) {
+  command
+      .add_option("--torque", options.torque,
+                  "Load torque (default: none; the motor's operation alone)")
+      ->type_name("TORQUE");
+  command
+      .add_option(
+          "--speed", options.speed,
+          "Speed of the rotor; with a torque the drive holds it, whatever becomes of the motor")
+      ->type_name("SPEED");
+}
+
 std::optional<double> speed_of(const LoadOptions& options, const Motor& motor) {
   if (options.torque.empty()) return parse_speed("--speed", options.speed);
   const double torque = parse_torque("--torque", options.torque);

@@ -12,7 +12,7 @@ class App;
 
 namespace twum::cli {
 
-/// --speed and --torque: one of them selects the operating point of a motor.
+/// --speed and --torque: one of them, or both, select the operating point of a motor.
 struct LoadOptions {
   std::string speed;
   std::string torque;
@@ -22,6 +22,9 @@ struct LoadOptions {
 
 /// @param least  1 if one of them has to be given, 0 if they may be left out
 void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least);
+
+/// The same for a load of which both may be given: the drive then holds the torque at the speed.
+void add_held_load_options(CLI::App& command, LoadOptions& options);
 
 /// The given rotor speed, or the speed at which the motor carries the given torque [rad/s]. If it cannot, prints the
 /// reason on standard error and returns nothing.

@@ -12,6 +12,8 @@
 #include <twum/studies/run_options.hpp>
 #include <twum/studies/study_file.hpp>
 
+#include <CLI/CLI.hpp>
+
 #include <string_view>
 #include <utility>
 #include <vector>

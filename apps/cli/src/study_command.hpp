@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats.hpp"
+#include "load.hpp"
 #include "options.hpp"
 
 #include <twum/studies/study.hpp>
@@ -20,6 +21,14 @@ struct StudyCommand {
 
 /// Adds its options; the answer is a table, CSV or JSON.
 void add_study_options(CLI::App& command, StudyCommand& options);
+
+/// Sets torque and speed of a study that may have both. @throws InputError for a torque that is held at rest
+template <typename Study>
+void set_load(Study& asked, const LoadOptions& options) {
+  if (!options.torque.empty()) asked.torque = parse_torque("--torque", options.torque);
+  if (!options.speed.empty()) asked.speed = parse_speed("--speed", options.speed);
+  if (asked.torque && asked.speed) more_than_zero("--speed", *asked.speed, options.speed);
+}
 
 /// @param asked   entries of the study, which have the names of the options
 /// @return the exit status

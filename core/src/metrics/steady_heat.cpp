@@ -52,6 +52,14 @@ SteadyHeat answer_of(const HeatSolver& solver, const SteadyState& steady, bool a
 
 }  // namespace
 
+std::optional<HeatNetwork> motor_network(const MotorDesign& design) try {
+  const HeldTraps traps;
+  require_heat(design);
+  return network_of(design);
+} catch (const SearchFailure&) {
+  return {};
+}
+
 SteadyHeat steady_heat(const MotorDesign& design, const LoadPoint& load) try {
   return solved_by<SteadyHeat>(design, load, [](const HeatSolver& solver) {
     return answer_of(solver, solver.from_cold(), false);
@@ -70,7 +78,7 @@ SteadyHeat steady_heat_near(const MotorDesign& design, const LoadPoint& load,
 }
 
 std::vector<WarmUpPoint> warm_up(const MotorDesign& design, const LoadPoint& load,
-                                 const std::vector<double>& times) {
+                                 const std::vector<double>& times) try {
   return solved_by<std::vector<WarmUpPoint>>(design, load, [&](const HeatSolver& solver) {
     std::vector<WarmUpPoint> points;
     HeatState state = solver.cold();
@@ -83,6 +91,8 @@ std::vector<WarmUpPoint> warm_up(const MotorDesign& design, const LoadPoint& loa
     }
     return points;
   });
+} catch (const SearchFailure& failure) {
+  return {{failure.status, 0, {}, {}}};
 }
 
 namespace {

@@ -12,7 +12,9 @@ double interpolated(std::span<const double> sorted, double p) {
   const auto below = static_cast<std::size_t>(place);
   if (below + 1 >= sorted.size()) return sorted.back();
   const double part = place - static_cast<double>(below);
-  return part == 0 ? sorted[below] : sorted[below] + part * (sorted[below + 1] - sorted[below]);
+  const double low = sorted[below], high = sorted[below + 1];
+  // Infinite values are times without an end.
+  return part == 0 || low == high ? low : low + part * (high - low);
 }
 
 }  // namespace

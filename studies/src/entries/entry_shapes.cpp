@@ -75,6 +75,14 @@ Shape<DutyPoint> duty_point() {
       });
 }
 
+void check_held(const Given& given, const std::optional<double>& torque,
+                const std::optional<double>& speed, Diagnostics& diagnostics) {
+  const YamlNode* node = given.right("speed");
+  if (node == nullptr || !torque || *speed > 0) return;
+  diagnostics.add(node->mark, given.path("speed"), "a torque that is held at rest",
+                  "expected a speed of more than 0 rpm; at rest friction holds without a wave");
+}
+
 Shape<CurveStudy::Family> family(const char* example) {
   using Family = CurveStudy::Family;
   const auto values = by_parameter<Family>(

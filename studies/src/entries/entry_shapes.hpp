@@ -39,6 +39,19 @@ Shape<double> value_of(const ParameterInfo& parameter);
 /// {torque, speed}; its text is the limit torque_at(SPEED) >= TORQUE as typed.
 Shape<DutyPoint> duty_point();
 
+/// `torque` and `speed` of a load that a study S may have: one of them, both, or none.
+template <typename S>
+Fields<S> load_fields() {
+  return {
+      optional<S>("torque", quantity("load torque", "N.m", "0.5 N.m"), &S::torque,
+                  "none; with a speed that of the drive"),
+      optional<S>("speed", quantity("speed; with a torque the drive holds it", "rad/s", "60 rpm"),
+                  &S::speed, "that under the torque")};
+}
+/// A torque is held at a speed of more than 0.
+void check_held(const Given& given, const std::optional<double>& torque,
+                const std::optional<double>& speed, Diagnostics& diagnostics);
+
 /// The values of one parameter.
 Shape<CurveStudy::Family> family(const char* example);
 

@@ -229,6 +229,18 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   return limits;
 }
 
+namespace {
+
+// A goal that a design reaches without end: none can be better, and the search is over.
+class EndlessGoal : public InputError {
+ public:
+  EndlessGoal(const std::string& goal, MetricStatus status)
+      : InputError("study.maximize: " + goal + " has no end for a design within the ranges (" +
+                   to_string(status) + "), so that there is no largest; give it as a limit") {}
+};
+
+}  // namespace
+
 CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied)
     : problem_(std::move(problem)),
       varied_(varied_parameters(problem_)),
@@ -252,6 +264,8 @@ optim::Evaluation CombinationResponses::evaluate(std::span<const double> design,
     optim::Evaluation failed;
     failed.failure = error.reason();
     return failed;
+  } catch (const EndlessGoal&) {
+    throw;
   } catch (const InputError& error) {  // a combination of values that is no motor
     optim::Evaluation failed;
     failed.failure = std::string("not a motor: ") + error.what();
@@ -306,11 +320,14 @@ bool lacks_values(const std::vector<MetricDerivative>& numbers) {
 
 }  // namespace
 
-// A time that does not end keeps each lower limit and breaks each upper one: what stands for it lies beyond both, and is flat. A goal
-// has no such value.
+// A time that does not end keeps each lower limit and breaks each upper one: what stands for it lies beyond both, and is flat. As a
+// goal it ends the search.
 void CombinationResponses::end_endless(Numbers& numbers) const {
   constexpr double kBeyond = 10;
   const std::size_t goals = problem_.objectives.size();
+  for (std::size_t i = 0; i < goals; ++i)
+    if (problem_.objectives[i].maximize && is_endless(numbers[i].value.status))
+      throw EndlessGoal(responses_[i].text, numbers[i].value.status);
   for (std::size_t i = 0; i < problem_.limits.size(); ++i) {
     MetricDerivative& number = numbers[goals + i];
     const MotorLimit& limit = problem_.limits[i];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/goal_parts.hpp"
+#include "telling/heat_parts.hpp"
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
 
 #include <twum/core/metrics.hpp>
-#include <twum/motors/reasons.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,51 +20,6 @@ using Steady = HeatResult::Steady;
 
 constexpr double kMuchGain = 0.5;  // from here on a little more load may have no steady state
 
-using TwumPart = twum::Part;
-struct HeatedPart {
-  TwumPart part;
-  const char* name;
-};
-constexpr std::array kHeated{
-    HeatedPart{TwumPart::stator, "stator"}, HeatedPart{TwumPart::rotor, "rotor"},
-    HeatedPart{TwumPart::housing, "housing"}, HeatedPart{TwumPart::contact, "contact"}};
-
-// Parts of the motor that have a temperature of their own: of one node the first alone.
-std::size_t parts_of(const Motor& motor) { return motor.network.one_node ? 1 : kHeated.size(); }
-
-std::string part_name(const Motor& motor, std::size_t i) {
-  return motor.network.one_node ? "motor" : kHeated[i].name;
-}
-
-// The lowest limit counts for one node.
-std::optional<double> limit_of(const Motor& motor, std::size_t i) {
-  if (!motor.network.one_node) return motor.limits[i];
-  std::optional<double> lowest;
-  for (const auto& limit : motor.limits)
-    if (limit && (!lowest || *limit < *lowest)) lowest = limit;
-  return lowest;
-}
-
-Phrase heated_phrase(const HeatResult& answer, const Motor& motor) {
-  return family_phrase(answer.family, motor.value);
-}
-
-struct Nearest {
-  std::size_t part{0};
-  double margin{std::numeric_limits<double>::infinity()};
-};
-
-// The part that is nearest to its limit; infinite without one.
-Nearest nearest_limit(const Motor& motor, const PartTemperatures& temperatures) {
-  Nearest nearest;
-  for (std::size_t i = 0; i < parts_of(motor); ++i)
-    if (const auto limit = limit_of(motor, i)) {
-      const double margin = *limit - at(temperatures, kHeated[i].part);
-      if (margin < nearest.margin) nearest = {i, margin};
-    }
-  return nearest;
-}
-
 Phrase margin_cell(double margin) {
   Part part = value_part(margin, "K", 3);
   return {margin < 0 ? bad(part) : good(part)};
@@ -78,21 +33,12 @@ Phrase margin_cell(const std::optional<double>& limit, double temperature) {
   return limit ? margin_cell(*limit - temperature) : Phrase{"-"};
 }
 
-std::string reason_of(const std::string& status) {
-  for (const auto& reason : motors::reasons())
-    if (status == to_string(reason.status)) return reason.meaning;
-  return status;
-}
-
 // Rows for the motors that have what is told.
 template <typename Has, typename Add>
 void for_motors(const HeatResult& answer, Has has, Add add) {
   for (const Motor& motor : answer.members)
     if (has(motor)) add(motor);
 }
-
-bool is_steady(const Motor& motor) { return motor.steady && motor.steady->status == "ok"; }
-bool has_cycle(const Motor& motor) { return motor.cycle && motor.cycle->status == "ok"; }
 
 Phrase gain_remark(const Steady& steady) {
   if (!(steady.gain > kMuchGain)) return {};
@@ -203,6 +149,7 @@ Section heat_flow(const Motor& motor) {
                   .unit = "W",
                   .of = 1,
                   .both_ways = true};
+  section.folded = true;
   section.tables = {table};
   return section;
 }
@@ -238,7 +185,7 @@ template <typename Points>
 void add_course(Chart& chart, const std::string& name, std::size_t part, const Points& points,
                 double seconds, const std::string& colour) {
   // The contact is nearly as warm as the stator, which shows below broken lines.
-  const bool broken = kHeated[part].part == TwumPart::contact;
+  const bool broken = kHeated[part].part == twum::Part::contact;
   Series series{name, broken ? Stroke::dashes : Stroke::line, {}, {}, colour};
   for (const auto& point : points) {
     const double found = at(point.temperatures, kHeated[part].part);
@@ -256,6 +203,18 @@ Chart course_chart(const char* name, const char* title, double end) {
           {{"temperature"}, "degC", false}};
 }
 
+// All limits and temperatures are within the axis.
+void fit_axis(Chart& chart) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto take = [&](double value) { low = std::min(low, value), high = std::max(high, value); };
+  for (const Series& one : chart.series)
+    for (const double value : one.y.values) take(value);
+  for (const Guide& guide : chart.guides) take(guide.at);
+  if (!(low < high)) return;
+  const double room = 0.05 * (high - low);
+  chart.y.low = low - room, chart.y.high = high + room;
+}
+
 // All parts of the motor alone; of a family the stators.
 template <typename PointsOf>
 void add_courses(Chart& chart, const HeatResult& answer, double end, PointsOf points_of) {
@@ -265,12 +224,13 @@ void add_courses(Chart& chart, const HeatResult& answer, double end, PointsOf po
     for (std::size_t i = 0; i < parts_of(motor); ++i)
       add_course(chart, part_name(motor, i), i, points_of(motor), seconds, colour_of(i));
     add_limits(chart, motor);
-    return;
+    return fit_axis(chart);
   }
   for (std::size_t k = 0; k < answer.members.size(); ++k)
     add_course(chart, written(heated_phrase(answer, answer.members[k]), Writing::read), 0,
                points_of(answer.members[k]), seconds, colour_of(k));
   add_limits(chart, answer.members.front());
+  fit_axis(chart);
 }
 
 Section warm_ups(const HeatResult& answer) {
@@ -348,7 +308,7 @@ double period_of_cycle(const HeatResult::Cycle& cycle) {
 
 Section operations(const HeatResult& answer) {
   Section section{{"Over the operation"},
-                  {"One period, after so many that it returns to where it began."}};
+                  {"One period, long after the start, when every period is the same."}};
   Table peaks{"peaks", {{"motor"}, {"part"}, {"peak"}, {"mean"}, {"limit"}, {"left"}}, {}};
   Table phases{"phases", {{"motor"}, {"phase"}, {"lasts"}, {"losses"}}, {}};
   peaks.keys = phases.keys = 2;
@@ -380,91 +340,7 @@ Section operations(const HeatResult& answer) {
   return section;
 }
 
-// The motor that is nearest to a limit, or has no answer, is told.
-const Motor& hottest(const HeatResult& answer) {
-  const auto left = [](const Motor& motor) {
-    if (motor.steady && !is_steady(motor)) return -std::numeric_limits<double>::infinity();
-    const double steady = is_steady(motor) ? nearest_limit(motor, motor.steady->temperatures).margin
-                                           : std::numeric_limits<double>::infinity();
-    const double cycle = has_cycle(motor) ? nearest_limit(motor, motor.cycle->found.peak).margin
-                                          : std::numeric_limits<double>::infinity();
-    return std::min(steady, cycle);
-  };
-  return *std::ranges::min_element(answer.members, {}, left);
-}
-
-Phrase temperature_sentence(const Motor& motor, const PartTemperatures& temperatures,
-                            const char* verb) {
-  const Nearest near = nearest_limit(motor, temperatures);
-  const std::size_t part = std::isfinite(near.margin) ? near.part : 0;
-  Phrase phrase{"the " + part_name(motor, part) + " " + verb + " ",
-                strong(celsius_part(at(temperatures, kHeated[part].part)))};
-  if (!std::isfinite(near.margin))
-    append(phrase, {"; no limit of temperature is given"});
-  else if (near.margin < 0)
-    append(phrase, {", ", bad("too hot"), " by ", value_part(-near.margin, "K", 3)});
-  else
-    append(phrase, {", ", value_part(near.margin, "K", 3), " below its limit"});
-  return phrase;
-}
-
-Phrase steady_sentence(const HeatResult& answer, const Motor& motor) {
-  Phrase phrase{"Under "};
-  append(phrase, load_phrase(*answer.load));
-  if (answer.family) append(phrase, {" and with "}), append(phrase, heated_phrase(answer, motor));
-  const Steady& steady = *motor.steady;
-  append(phrase, {" "});
-  if (steady.status == "ok") {
-    append(phrase, temperature_sentence(motor, steady.temperatures, "gets"));
-    if (steady.on_time_status == "ok")
-      append(phrase, {"; from cold it may run for ", strong(time_part(steady.on_time))});
-  } else if (steady.lost_after > 0) {
-    append(phrase,
-           {"the motor ", bad("loses its load"), " after ", strong(time_part(steady.lost_after))});
-  } else {
-    append(phrase,
-           {"the motor has ", bad("no steady temperature"), ": " + reason_of(steady.status)});
-  }
-  append(phrase, {"."});
-  return phrase;
-}
-
-Phrase cycle_sentence(const HeatResult& answer, const Motor& motor) {
-  Phrase phrase{"Over its operation "};
-  if (answer.family)
-    append(phrase, {"and with "}), append(phrase, heated_phrase(answer, motor)),
-        append(phrase, {" "});
-  if (motor.cycle->status == "ok")
-    append(phrase, temperature_sentence(motor, motor.cycle->found.peak, "peaks at"));
-  else
-    append(phrase,
-           {"the motor has ", bad("no temperatures"), ": " + reason_of(motor.cycle->status)});
-  append(phrase, {"."});
-  return phrase;
-}
-
-bool keeps_limits(const Motor& motor) {
-  if (motor.steady && !is_steady(motor)) return false;
-  if (motor.cycle && !has_cycle(motor)) return false;
-  if (is_steady(motor) && nearest_limit(motor, motor.steady->temperatures).margin < 0) return false;
-  return !has_cycle(motor) || !(nearest_limit(motor, motor.cycle->found.peak).margin < 0);
-}
-
 }  // namespace
-
-Headline headline_of(const HeatResult& answer, const StudyResult& /*result*/) {
-  const Motor& motor = hottest(answer);
-  std::vector<Phrase> sentences;
-  if (motor.steady) sentences.push_back(steady_sentence(answer, motor));
-  if (motor.cycle) sentences.push_back(cycle_sentence(answer, motor));
-  return {keeps_limits(motor) ? Headline::Look::plain : Headline::Look::bad,
-          "",
-          sentences,
-          {},
-          {},
-          "points",
-          "without a temperature"};
-}
 
 std::vector<Section> sections_of(const HeatResult& answer, const Sources& /*sources*/) {
   if (answer.members.empty()) return {};

@@ -3,8 +3,6 @@
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
 
-#include <twum/motors/reasons.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,10 +38,7 @@ Phrase ended_phrase(const Worn& motor) {
 
 Phrase why_none(const Worn& motor) {
   if (motor.status == "does-not-wear") return {good("does not wear")};
-  for (const auto& reason : motors::reasons())
-    if (motor.status == to_string(reason.status))
-      return {bad("no life"), std::string(": ") + reason.meaning};
-  return {bad("no life"), ": " + motor.status};
+  return {bad("no life"), ": " + reason_of(motor.status)};
 }
 
 Section lives(const LifeResult& answer) {
@@ -203,7 +198,7 @@ Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
                     value_part(motor.life.revolutions, "1"), " revolutions, until "});
     append(phrase, ended_phrase(motor));
   } else if (motor.status == "does-not-wear") {
-    append(phrase, {"does not wear: all of its contact sticks"});
+    append(phrase, {"does not wear: nothing slips in its contact"});
   } else {
     append(phrase, {"has "}), append(phrase, why_none(motor));
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/load_parts.hpp"
 
+#include <twum/motors/reasons.hpp>
+
 namespace twum::studies::telling {
 
 double in_celsius(double kelvin) {
@@ -27,6 +29,12 @@ Phrase load_phrase(const LoadPoint& load) {
   if (load.argument == Argument::both)
     return {value_part(load.torque, "N.m"), " held at ", value_part(load.at, "rad/s")};
   return {value_part(load.at, load.argument == Argument::torque ? "N.m" : "rad/s")};
+}
+
+std::string reason_of(const std::string& status) {
+  for (const auto& reason : motors::reasons())
+    if (status == to_string(reason.status)) return reason.meaning;
+  return status;
 }
 
 Phrase family_phrase(const std::optional<StoredColumn>& family, double value) {

@@ -6,6 +6,7 @@
 #include <twum/studies/telling.hpp>
 
 #include <optional>
+#include <string>
 
 /// Parts that tell loads, times and temperatures; internal.
 namespace twum::studies::telling {
@@ -25,6 +26,9 @@ Part time_part(double seconds);
 
 /// "0.5 N.m", "100 rpm", "0.5 N.m held at 100 rpm"
 Phrase load_phrase(const LoadPoint& load);
+
+/// What a status of a metric means; the status itself where it has no meaning of its own.
+std::string reason_of(const std::string& status);
 
 /// "voltage 80 V"; the motor alone has no name.
 Phrase family_phrase(const std::optional<StoredColumn>& family, double value);

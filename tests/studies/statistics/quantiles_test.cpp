@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -93,4 +94,14 @@ TEST_CASE("the interval of a proportion has the tails that define it", "[studies
   CHECK(all.high == 1);
   CHECK(all.low == Approx(std::pow(0.025, 1.0 / 50)).epsilon(1e-12));
   CHECK(std::isnan(proportion_estimate(0, 0, 0.95).value));
+}
+
+TEST_CASE("quantiles of times of which some have no end are times or have no end",
+          "[statistics][edge_case]") {
+  const double never = std::numeric_limits<double>::infinity();
+  const std::vector<double> times{1, 2, 3, never, never};
+  CHECK(quantile_estimate(times, 0.25, 0.95).value == 2);
+  CHECK(quantile_estimate(times, 0.5, 0.95).value == 3);
+  CHECK(quantile_estimate(times, 0.9, 0.95).value == never);  // between two that have none
+  CHECK(quantile_estimate(times, 0.6, 0.95).value == never);
 }

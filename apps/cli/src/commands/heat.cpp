@@ -21,16 +21,15 @@ constexpr const char* kHeatExamples = R"text(Examples:
 
 struct HeatOptions {
   StudyCommand study;
-  std::string torque, speed, time;
+  LoadOptions load;
+  std::string time;
   std::uint64_t points{studies::HeatStudy{}.points};
 };
 
 studies::HeatStudy asked_by(const HeatOptions& options) {
   studies::HeatStudy asked;
   asked.points = options.points;
-  if (!options.torque.empty()) asked.torque = parse_torque("--torque", options.torque);
-  if (!options.speed.empty()) asked.speed = parse_speed("--speed", options.speed);
-  if (asked.torque && asked.speed) more_than_zero("--speed", *asked.speed, options.speed);
+  set_load(asked, options.load);
   if (!options.time.empty())
     asked.time = more_than_zero("--time", parse_time("--time", options.time), options.time);
   return asked;
@@ -43,14 +42,7 @@ void add_heat(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "heat", "Temperatures under a load and over the operation, and how long the motor may run");
   add_study_options(*command, options->study);
-  command
-      ->add_option("--torque", options->torque,
-                   "Load torque (default: none; the motor's operation alone)")
-      ->type_name("TORQUE");
-  command
-      ->add_option("--speed", options->speed,
-                   "Speed of the rotor; with a torque the drive holds it while the motor warms")
-      ->type_name("SPEED");
+  add_held_load_options(*command, options->load);
   command
       ->add_option("--time", options->time,
                    "How long the warm-up is followed (default: five times the slowest time "

@@ -21,16 +21,14 @@ constexpr const char* kLifeExamples = R"text(Examples:
 
 struct LifeOptions {
   StudyCommand study;
-  std::string torque, speed;
+  LoadOptions load;
   std::uint64_t points{studies::LifeStudy{}.points};
 };
 
 studies::LifeStudy asked_by(const LifeOptions& options) {
   studies::LifeStudy asked;
   asked.points = options.points;
-  if (!options.torque.empty()) asked.torque = parse_torque("--torque", options.torque);
-  if (!options.speed.empty()) asked.speed = parse_speed("--speed", options.speed);
-  if (asked.torque && asked.speed) more_than_zero("--speed", *asked.speed, options.speed);
+  set_load(asked, options.load);
   return asked;
 }
 
@@ -41,14 +39,7 @@ void add_life(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "life", "How long the motor lives until its track has worn too far, and what changes");
   add_study_options(*command, options->study);
-  command
-      ->add_option("--torque", options->torque,
-                   "Load torque (default: none; the motor's operation alone)")
-      ->type_name("TORQUE");
-  command
-      ->add_option("--speed", options->speed,
-                   "Speed of the rotor; with a torque the drive holds it as the track wears")
-      ->type_name("SPEED");
+  add_held_load_options(*command, options->load);
   command->add_option("--points", options->points, "Number of depths (default: 51)")
       ->check(CLI::Range(2, 10000))
       ->type_name("N");

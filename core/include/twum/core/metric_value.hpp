@@ -130,7 +130,7 @@ enum class MetricStatus : unsigned char {
   temperature_out_of_range,  ///< so far from the reference that the drift of a parameter means nothing
   too_hot_at_no_load,        ///< a limit of temperature is broken without a load already
   never_too_hot,             ///< no limit of temperature is reached, however long the motor runs
-  does_not_wear              ///< all of the contact sticks, so that the life has no end
+  does_not_wear              ///< nothing slips in the contact, so that the life has no end
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.

@@ -11,6 +11,11 @@
 
 namespace twum {
 
+/// The network of a design; of one node with the losses at its torque and the reference temperature (H1.10). None where the motor
+/// does not carry that torque.
+/// @throws InputError for an impossible motor, and without a thermal block
+std::optional<HeatNetwork> motor_network(const MotorDesign& design);
+
 /// A motor at its steady temperatures under a load.
 struct SteadyHeat {
   /// ok; why the cold motor has no such point; or no_steady_temperature, thermally_unstable, temperature_out_of_range

@@ -66,7 +66,7 @@ std::span<const Reason> reasons() {
       {MetricStatus::never_too_hot,
        "no limit of temperature is reached, however long the motor runs with this load"},
       {MetricStatus::does_not_wear,
-       "all of the contact sticks under this load, so that nothing wears and the life has no "
+       "nothing slips in the contact under this load, so that nothing wears and the life has no "
        "end"}};
   return kReasons;
 }

@@ -2,6 +2,7 @@
 #include "kinds/sample/family.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
 #include <twum/io/engineering.hpp>
 
 namespace twum::studies {
@@ -16,6 +17,22 @@ MotorDesign family_motor(const MotorDesign& base, Parameter parameter, double va
     throw InputError("study.family: " + std::string(row.name) + " = " +
                      engineering(value, row.unit) + " gives an invalid motor: " + error.what());
   }
+}
+
+std::vector<FamilyMotor> family_motors(const std::optional<CurveStudy::Family>& family,
+                                       const MotorDesign& base) {
+  if (!family) return {{kNoValue, base}};
+  std::vector<FamilyMotor> motors;
+  for (const double value : family->values)
+    motors.push_back({value, family_motor(base, family->parameter, value)});
+  return motors;
+}
+
+void require_load(const std::optional<LoadPoint>& load, const MotorDesign& motor) {
+  if (!load && motor.operation.empty())
+    throw InputError(
+        "study: nothing loads the motor; give a torque, a speed, or both, or 'operation' in the "
+        "motor file");
 }
 
 std::optional<LoadPoint> load_point(const std::optional<double>& torque,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kinds/rows/sample_rows.hpp"
-#include "kinds/sample/family.hpp"
+#include "kinds/sample/family_run.hpp"
 
 #include <twum/base/no_value.hpp>
 #include <twum/core/metrics.hpp>
+#include <twum/io/engineering.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -30,33 +29,6 @@ constexpr std::array kHeatColumns{
 std::vector<double> heat_row(double time, const PartTemperatures& t, const HeatLosses& p) {
   return {time,     t.stator,   t.rotor, t.housing, t.contact,
           t.lining, p.friction, p.layer, p.stator,  p.dielectric};
-}
-
-struct HeatedMotor {
-  double value;  // of the family's parameter
-  MotorDesign design;
-};
-
-std::vector<HeatedMotor> heated_motors(const HeatStudy& asked, const MotorDesign& base) {
-  if (!asked.family) return {{kNoValue, base}};
-  std::vector<HeatedMotor> motors;
-  for (const double value : asked.family->values)
-    motors.push_back({value, family_motor(base, asked.family->parameter, value)});
-  return motors;
-}
-
-HeatNetwork network_of_motor(const MotorDesign& design) {
-  if (!design.thermal->one_node) return heat_network(design);
-  const double torque = design.thermal->one_node->torque;
-  const std::array requests{MetricRequest{Metric::friction_power_at, Argument::torque, torque},
-                            MetricRequest{Metric::layer_loss_at, Argument::torque, torque},
-                            MetricRequest{Metric::stator_loss_at, Argument::torque, torque},
-                            MetricRequest{Metric::dielectric_loss_at, Argument::torque, torque}};
-  const auto found = evaluate(Motor(design), requests);
-  const auto value = [&](std::size_t i) {
-    return found[i].status == MetricStatus::ok ? found[i].value : 0;
-  };
-  return heat_network(design, {value(0), value(1), value(2), value(3)});
 }
 
 std::array<std::optional<double>, 4> limits_of(const Thermal& thermal) {
@@ -182,87 +154,68 @@ std::vector<double> even_times(double end, std::uint64_t points) {
   return times;
 }
 
-// A stage for each motor, a row for each time. All of a motor is computed when the first of its rows is needed.
-class HeatRun : public StudyKindRun {
+HeatNetwork known_network(const MotorDesign& design) {
+  if (!design.thermal)
+    throw InputError("study: the motor has no temperatures; give 'thermal' in the motor file");
+  if (const auto network = motor_network(design)) return *network;
+  throw InputError("study: the motor does not carry the torque of thermal.one_node, " +
+                   engineering(design.thermal->one_node->torque, "N.m") +
+                   ", so that its conductance is not known; give a rise at another torque");
+}
+
+// A row for each time.
+class HeatRun : public FamilyRun<HeatResult> {
  public:
   HeatRun(const HeatStudy& asked, const MotorDesign& base)
-      : asked_(asked), motors_(heated_motors(asked, base)), computed_(motors_.size()) {
-    for (const HeatedMotor& one : motors_) {
-      if (!one.design.thermal)
-        throw InputError("study: the motor has no temperatures; give 'thermal' in the motor file");
-      if (!asked_.load() && one.design.operation.empty())
-        throw InputError(
-            "study: nothing loads the motor; give a torque, a speed, or both, or 'operation' in "
-            "the motor file");
+      : FamilyRun(asked.family, base, asked.points), asked_(asked) {
+    for (const FamilyMotor& one : motors()) {
+      known_network(one.design);
+      require_load(asked_.load(), one.design);
     }
-    if (asked.family) family_ = family_column(asked.family->parameter);
+    constexpr double kSettled = 5;  // slowest time constants; 1 % of the rise is left
+    time_ = asked.time.value_or(kSettled *
+                                time_constants(known_network(motors().front().design)).back());
   }
 
-  std::vector<StoredColumn> columns() const override {
-    std::vector<StoredColumn> columns;
-    if (family_) columns.push_back(*family_);
-    columns.push_back({"time", "s"});
+ private:
+  std::vector<StoredColumn> own_columns() const override {
+    std::vector<StoredColumn> columns{{"time", "s"}};
     for (const HeatColumn& one : kHeatColumns) columns.push_back({one.name, one.unit});
     return columns;
   }
 
-  std::size_t variables() const override { return family_ ? 2 : 1; }
-
-  KindAnswer run(RunContext& context) override {
+  HeatResult frame() const override {
     HeatResult result;
-    result.family = family_, result.load = asked_.load();
-    bool complete = true;
-    for (std::size_t i = 0; complete && i < motors_.size(); ++i) {
-      if (context.stop.stop_requested()) return {StudyOutcome::interrupted, result};
-      result.members.push_back(member(i));
-      complete =
-          store_rows(context, i, asked_.points, asked_.points * i, asked_.points * motors_.size());
-    }
-    result.time = end_of_time(result.members.front());
-    const bool any = std::ranges::any_of(result.members, [](const HeatResult::Member& one) {
-      return (one.steady && one.steady->status == "ok") || (one.cycle && one.cycle->status == "ok");
-    });
-    return {!complete ? StudyOutcome::interrupted
-            : any     ? StudyOutcome::done
-                      : StudyOutcome::failed,
-            std::move(result)};
+    result.load = asked_.load(), result.time = time_;
+    return result;
   }
 
-  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
-    if (asked.stage >= motors_.size() || asked.index >= asked_.points) return {};
-    const HeatResult::Member& one = member(asked.stage);
-    StoredRow row{asked.stage, asked.index, {}, "ok", {}};
-    if (family_) row.values.push_back(one.value);
+  bool has_answer(const Member& one) const override {
+    return (one.steady && one.steady->status == "ok") || (one.cycle && one.cycle->status == "ok");
+  }
+
+  void add_numbers(const Member& one, StoredRow& row) const override {
     const std::vector<double> numbers = asked_.load() ? of_warm_up(one, row) : of_cycle(one, row);
     row.values.insert(row.values.end(), numbers.begin(), numbers.end());
-    return row;
-  }
-
- private:
-  double end_of_time(const HeatResult::Member& one) const {
-    return asked_.time.value_or(5 * one.time_constants.back());
   }
 
   // NaN behind the time from where the point is lost.
-  std::vector<double> of_warm_up(const HeatResult::Member& one, StoredRow& row) const {
-    const double time = even_times(end_of_time(one), asked_.points)[row.index];
-    if (row.index < one.warm_up.size()) {
-      const WarmUpPoint& point = one.warm_up[row.index];
-      row.status = to_string(point.status);
-      if (point.status == MetricStatus::ok) return heat_row(time, point.temperatures, point.losses);
-    } else if (!one.warm_up.empty()) {
-      row.status = to_string(one.warm_up.back().status);
-    }
-    return lost(time);
+  std::vector<double> of_warm_up(const Member& one, StoredRow& row) const {
+    const double time = even_times(time_, points())[row.index];
+    const WarmUpPoint& point =
+        one.warm_up[std::min<std::size_t>(row.index, one.warm_up.size() - 1)];
+    row.status = to_string(point.status);
+    return point.status == MetricStatus::ok ? heat_row(time, point.temperatures, point.losses)
+                                            : lost(time);
   }
 
-  std::vector<double> of_cycle(const HeatResult::Member& one, StoredRow& row) const {
+  std::vector<double> of_cycle(const Member& one, StoredRow& row) const {
     const auto& course = one.cycle->found.course;
     row.status = one.cycle->status;
     if (row.index < course.size())
       return heat_row(course[row.index].time, course[row.index].temperatures,
                       course[row.index].losses);
-    return lost(even_times(period_of(one.cycle->phases), asked_.points)[row.index]);
+    return lost(even_times(period_of(one.cycle->phases), points())[row.index]);
   }
 
   static std::vector<double> lost(double time) {
@@ -271,25 +224,19 @@ class HeatRun : public StudyKindRun {
     return numbers;
   }
 
-  const HeatResult::Member& member(std::size_t number) const {
-    const std::lock_guard guard(mutex_);
-    if (!computed_[number]) computed_[number] = computed(motors_[number]);
-    return *computed_[number];
-  }
-
-  HeatResult::Member computed(const HeatedMotor& motor) const {
+  Member computed(const FamilyMotor& motor) const override {
     const MotorDesign& design = motor.design;
-    HeatResult::Member one;
-    one.value = motor.value, one.ambient = design.thermal->ambient;
-    one.network = network_of_motor(design);
+    Member one;
+    one.ambient = design.thermal->ambient;
+    one.network = known_network(design);
     one.time_constants = time_constants(one.network);
     one.limits = limits_of(*design.thermal);
     if (const auto load = asked_.load()) {
       one.steady = steady_of(design, *load);
-      one.warm_up = warm_up(design, *load, even_times(end_of_time(one), asked_.points));
+      one.warm_up = warm_up(design, *load, even_times(time_, points()));
     }
     if (!design.operation.empty()) {
-      const auto times = even_times(period_of(design.operation), asked_.points);
+      const auto times = even_times(period_of(design.operation), points());
       one.cycle =
           HeatResult::Cycle{{}, design.operation, load_cycle(design, design.operation, times)};
       one.cycle->status = to_string(one.cycle->found.status);
@@ -298,10 +245,7 @@ class HeatRun : public StudyKindRun {
   }
 
   HeatStudy asked_;
-  std::vector<HeatedMotor> motors_;
-  std::optional<StoredColumn> family_;
-  mutable std::mutex mutex_;  // of what follows
-  mutable std::vector<std::optional<HeatResult::Member>> computed_;
+  double time_;  // of the warm-up [s]
 };
 
 }  // namespace

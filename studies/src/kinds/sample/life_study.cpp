@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kinds/rows/sample_rows.hpp"
-#include "kinds/sample/family.hpp"
+#include "kinds/sample/family_run.hpp"
 
 #include <twum/base/no_value.hpp>
 #include <twum/core/life.hpp>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 namespace twum::studies {
@@ -29,19 +27,6 @@ constexpr std::array kWearColumns{
     WearColumn{"preload", "N", [](const WearPoint& p) { return p.preload; }},
     WearColumn{"contact_temperature", "K",
                [](const WearPoint& p) { return p.contact_temperature; }}};
-
-struct LivingMotor {
-  double value;  // of the family's parameter
-  MotorDesign design;
-};
-
-std::vector<LivingMotor> living_motors(const LifeStudy& asked, const MotorDesign& base) {
-  if (!asked.family) return {{kNoValue, base}};
-  std::vector<LivingMotor> motors;
-  for (const double value : asked.family->values)
-    motors.push_back({value, family_motor(base, asked.family->parameter, value)});
-  return motors;
-}
 
 // The load whose speed or torque is told along a life: that asked for, or the first of the operation.
 std::optional<LoadPoint> told_load(const LifeStudy& asked, const MotorDesign& design) {
@@ -83,70 +68,51 @@ double margin_of(const WearLimit& limit, double value) {
   return std::fmin(value - limit.lower, limit.upper - value);
 }
 
-// A stage for each motor, a row for each depth. All of a motor is computed when the first of its rows is needed.
-class LifeRun : public StudyKindRun {
+// A row for each depth.
+class LifeRun : public FamilyRun<LifeResult> {
  public:
   LifeRun(const LifeStudy& asked, const MotorDesign& base)
-      : asked_(asked), motors_(living_motors(asked, base)), computed_(motors_.size()) {
-    for (const LivingMotor& one : motors_) {
+      : FamilyRun(asked.family, base, asked.points), asked_(asked) {
+    for (const FamilyMotor& one : motors()) {
       if (!one.design.wear)
         throw InputError("study: the motor does not wear; give 'wear' in the motor file");
-      if (!asked_.load() && one.design.operation.empty())
-        throw InputError(
-            "study: nothing loads the motor; give a torque, a speed, or both, or 'operation' in "
-            "the motor file");
+      require_load(asked_.load(), one.design);
     }
-    told_ = told_metrics(asked_, motors_.front().design);
-    if (asked.family) family_ = family_column(asked.family->parameter);
+    told_ = told_metrics(asked_, motors().front().design);
   }
 
-  std::vector<StoredColumn> columns() const override {
-    std::vector<StoredColumn> columns;
-    if (family_) columns.push_back(*family_);
-    columns.push_back({"depth", "m"});
+ private:
+  std::vector<StoredColumn> own_columns() const override {
+    std::vector<StoredColumn> columns{{"depth", "m"}};
     for (const WearColumn& one : kWearColumns) columns.push_back({one.name, one.unit});
     for (const StoredColumn& one : told_columns()) columns.push_back(one);
     return columns;
   }
 
-  std::size_t variables() const override { return family_ ? 2 : 1; }
-
-  KindAnswer run(RunContext& context) override {
+  LifeResult frame() const override {
     LifeResult result;
-    result.family = family_, result.load = asked_.load(), result.columns = told_columns();
-    bool complete = true;
-    for (std::size_t i = 0; complete && i < motors_.size(); ++i) {
-      if (context.stop.stop_requested()) return {StudyOutcome::interrupted, result};
-      result.members.push_back(member(i));
-      complete =
-          store_rows(context, i, asked_.points, asked_.points * i, asked_.points * motors_.size());
-    }
-    const bool any = std::ranges::any_of(
-        result.members, [](const LifeResult::Member& one) { return one.status == "ok"; });
-    return {!complete ? StudyOutcome::interrupted
-            : any     ? StudyOutcome::done
-                      : StudyOutcome::failed,
-            std::move(result)};
+    result.load = asked_.load(), result.columns = told_columns();
+    return result;
   }
 
-  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
-    if (asked.stage >= motors_.size() || asked.index >= asked_.points) return {};
-    const LifeResult::Member& one = member(asked.stage);
-    StoredRow row{asked.stage, asked.index, {}, one.status, {}};
-    if (family_) row.values.push_back(one.value);
-    if (asked.index < one.points.size()) {
-      const LifeResult::Point& point = one.points[asked.index];
+  // A motor that does not wear has a life without end.
+  bool has_answer(const Member& one) const override {
+    return one.life.status == MetricStatus::ok || is_endless(one.life.status);
+  }
+
+  void add_numbers(const Member& one, StoredRow& row) const override {
+    const std::size_t columns = row.values.size() + own_columns().size();
+    row.status = one.status;
+    if (row.index < one.points.size()) {
+      const LifeResult::Point& point = one.points[row.index];
       row.status = to_string(point.wear.status);
       row.values.push_back(point.wear.depth);
       for (const WearColumn& column : kWearColumns) row.values.push_back(column.value(point.wear));
       row.values.insert(row.values.end(), point.metrics.begin(), point.metrics.end());
-    } else {
-      row.values.resize(columns().size(), kNoValue);
     }
-    return row;
+    row.values.resize(columns, kNoValue);
   }
 
- private:
   std::vector<StoredColumn> told_columns() const {
     std::vector<StoredColumn> columns;
     for (const MetricRequest& request : told_)
@@ -154,26 +120,18 @@ class LifeRun : public StudyKindRun {
     return columns;
   }
 
-  const LifeResult::Member& member(std::size_t number) const {
-    const std::lock_guard guard(mutex_);
-    if (!computed_[number]) computed_[number] = computed(motors_[number]);
-    return *computed_[number];
-  }
-
-  LifeResult::Member computed(const LivingMotor& motor) const {
+  Member computed(const FamilyMotor& motor) const override {
     const MotorDesign& design = motor.design;
     const auto load = asked_.load();
-    LifeResult::Member one;
-    one.value = motor.value;
+    Member one;
     one.one_slice = design.stator.radial_slices == 1;
     one.life = load ? life(design, *load) : life(design);
     one.status = to_string(one.life.status);
     one.limits = limits_of(design, one.life);
     if (one.life.status != MetricStatus::ok) return one;
     std::vector<double> depths;
-    for (std::uint64_t i = 0; i < asked_.points; ++i)
-      depths.push_back(one.life.depth * static_cast<double>(i) /
-                       static_cast<double>(asked_.points - 1));
+    for (std::uint64_t i = 0; i < points(); ++i)
+      depths.push_back(one.life.depth * static_cast<double>(i) / static_cast<double>(points() - 1));
     for (const WearPoint& wear : wear_course(design, load, depths))
       one.points.push_back(point_of(design, wear));
     set_margins(design, one);
@@ -216,11 +174,7 @@ class LifeRun : public StudyKindRun {
   }
 
   LifeStudy asked_;
-  std::vector<LivingMotor> motors_;
   std::vector<MetricRequest> told_;
-  std::optional<StoredColumn> family_;
-  mutable std::mutex mutex_;  // of what follows
-  mutable std::vector<std::optional<LifeResult::Member>> computed_;
 };
 
 }  // namespace

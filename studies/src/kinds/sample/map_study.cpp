@@ -101,10 +101,9 @@ struct MappedMotor {
 };
 
 std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& base) {
-  if (!asked.family) return {{kNoValue, Motor(base)}};
   std::vector<MappedMotor> motors;
-  for (const double value : asked.family->values)
-    motors.push_back({value, Motor(family_motor(base, asked.family->parameter, value))});
+  for (const FamilyMotor& one : family_motors(asked.family, base))
+    motors.push_back({one.value, Motor(one.design)});
   return motors;
 }
 
