@@ -96,6 +96,27 @@ void beside_one_slice(benchmark::State& state, Shape shape, double threshold) {
   }
 }
 
+// A surface that also moves radially beside one that does not; gradients of a point beside its value.
+void with_radial_motion(benchmark::State& state, bool inertial) {
+  MotorDesign design = ring(static_cast<int>(state.range(0)), Shape::rising);
+  if (!inertial) design.layer.density = design.layer.loss_factor = 0;
+  MotorDesign moving = design;
+  moving.stator.radial_motion = true;
+  const Motor without(design), with_it(moving);
+  const auto gradient = [&with_it, free = evaluate(without, {Metric::no_load_speed}).value](int i) {
+    const std::vector<MetricRequest> request{{Metric::torque_at, Argument::speed, 0.02 * i * free}};
+    return bench::seconds_per_call(
+        [&] { benchmark::DoNotOptimize(differentiate(with_it, request)); }, 10);
+  };
+  for (auto _ : state) {
+    const Pair point = in_turns(61, points_of(with_it), points_of(without)),
+               gradients = in_turns(61, gradient, points_of(with_it));
+    state.counters["point_us"] = 1e6 * point.seconds;
+    state.counters["times_without"] = point.ratio();
+    state.counters["gradient_times_point"] = gradients.ratio();
+  }
+}
+
 // The laps of eight slices in step, in lanes of this width, beside the same laps one after the other; at a share of the
 // no-load speed.
 void in_step(benchmark::State& state, contact::LaneCode& code) {
@@ -161,6 +182,8 @@ BENCHMARK_CAPTURE(beside_one_slice, threshold, Shape::level, 1.3)  // mu_0 / mu
     ->Arg(32)
     ->Arg(kAutoSlices)
     ->Iterations(1);
+BENCHMARK_CAPTURE(with_radial_motion, elastic, false)->Arg(1)->Arg(8)->Iterations(1);
+BENCHMARK_CAPTURE(with_radial_motion, inertial, true)->Arg(1)->Arg(8)->Iterations(1);
 BENCHMARK_CAPTURE(in_step, two, contact::run_lanes_baseline)
     ->Arg(10)
     ->Arg(72)

@@ -7,7 +7,9 @@ import math
 import re
 
 import program
-from program import DRIVE, RING
+from program import DRIVE, RING, ROOT
+
+PLATE = ROOT / "examples/motors/plate-60.yaml"
 
 POINT = ["speed", "torque", "output_power", "stator_power", "friction_power", "layer_loss", "contact_efficiency",
          "wear_intensity", "stick_fraction", "zones", "squeals"]
@@ -238,6 +240,17 @@ class Curve(program.Case):
         self.assertAlmostEqual(shown / change, 1, delta=0.05)
         self.assertIn("--compare-slices compares metrics", self.refused("curve", RING, "--compare-slices", "--format", "csv"))
 
+    def test_radial_motion_is_compared_when_asked(self):
+        few = ("--set", "radial_slices=2", "--points", 3)
+        asked = json.loads(self.ok("curve", PLATE, "--compare-radial", "--format", "json", *few))["radial"]
+        for radial, block in (("false", "without"), ("true", "radial_motion")):
+            text = PLATE.read_text().replace("radial_slices: auto", f"radial_slices: 2\n    radial_motion: {radial}")
+            alone = json.loads(self.ok("curve", self.write("radial.yaml", text), "--format", "json", "--points", 3))
+            self.assertEqual(asked[block], alone["metrics"])
+        self.assertLess(asked["radial_motion"]["max_overall_efficiency"], asked["without"]["max_overall_efficiency"])
+        self.assertIn("radial_motion needs the wave's radial shape", self.refused("curve", RING, "--compare-radial"))
+        self.assertIn("--compare-radial compares metrics", self.refused("curve", PLATE, "--compare-radial", "--format", "csv"))
+
     def test_settings_change_the_motor_and_replace_alternatives(self):
         motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]
         self.assertEqual(motor["preload"], 140)
@@ -267,11 +280,13 @@ class Fields(program.Case):
         rows = list(csv.reader(io.StringIO(
             self.ok("fields", RING, "--speed", "130 rpm", "--samples", 25, "--format", "csv"))))
         self.assertEqual(rows[0], ["phase [rad]", "pressure [Pa]", "traction [Pa]", "displacement [m]",
-                                   "stator_velocity [m/s]", "layer_velocity [m/s]", "state"])
+                                   "stator_velocity [m/s]", "layer_velocity [m/s]", "radial_velocity [m/s]",
+                                   "radial_traction [Pa]", "state"])
         self.assertEqual(len(rows), 26)
         for row, sample in zip(rows[1:], result["fields"]):
-            self.assertEqual([float(x) for x in row[:6]], [sample[n] for n in (
-                "phase", "pressure", "traction", "displacement", "stator_velocity", "layer_velocity")])
+            self.assertEqual([float(x) for x in row[:8]], [sample[n] for n in (
+                "phase", "pressure", "traction", "displacement", "stator_velocity", "layer_velocity", "radial_velocity",
+                "radial_traction")])
         self.assertIn("free", {sample["state"] for sample in result["fields"]})
         self.assertTrue(self.ok("fields", RING, "--speed", "130 rpm").startswith("ring-60 at 130 rpm"))
 

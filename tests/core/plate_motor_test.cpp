@@ -47,6 +47,7 @@ TEST_CASE("a motor from its geometry is the motor with the plate's modal data (P
   int compared = 0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (info(asked[i].metric).needs_geometry) continue;  // modal data do not tell
+    if (asked[i].metric == Metric::radial_motion_ratio) continue;
     CAPTURE(info(asked[i].metric).name);
     // the same numbers in the same operations: equal to the bit
     CHECK((found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i]))));

@@ -251,6 +251,8 @@ py::object fields_of(const py::object& self, const py::object& speed, int sample
   columns["displacement"] = column(&FieldSample::displacement);
   columns["stator_velocity"] = column(&FieldSample::stator_velocity);
   columns["layer_velocity"] = column(&FieldSample::layer_velocity);
+  columns["radial_velocity"] = column(&FieldSample::radial_velocity);
+  columns["radial_traction"] = column(&FieldSample::radial_traction);
   columns["zones"] = zones_list(fields.zones);
   return attribute_of_results("Fields")(self, fields.point, **columns);
 }

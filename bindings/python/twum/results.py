@@ -75,6 +75,8 @@ class Fields:
     displacement: Floats  # [m]
     stator_velocity: Floats  # [m/s]
     layer_velocity: Floats  # [m/s]
+    radial_velocity: Floats  # of the stator's surface [m/s]
+    radial_traction: Floats  # outward [Pa]
     zones: list[tuple[str, float, float]]
 
     def plot(self, axes: Sequence[Axes] | None = None) -> tuple[Axes, Axes]:

@@ -37,7 +37,8 @@ struct Phase {
 ///     v_rel / V0 = e' / s + V - cos theta                               (E1.3, T2.3, T2.4)
 ///     p = w_L - (1 - cos theta)    on |theta| <= theta_L.
 ///
-/// Seven numbers; every motor parameter and the speed act through them.
+/// Eight numbers; every motor parameter and the speed act through them. Where the surface moves radially, too, all but the
+/// pressure are vectors (R2.1, R2.2).
 template <typename S>
 struct ContactNumbers {
   S inertia;     ///< M = m W^2 / G, square of wave frequency over the layer's own
@@ -50,6 +51,7 @@ struct ContactNumbers {
   S threshold;    ///< mu_0
   Trig<S> edge;   ///< of theta_L
   bool full;      ///< full contact: no free zone, theta runs from -pi to pi
+  S radial{0.0};  ///< q, radial motion of the surface per tangential one (R1.1)
 };
 
 /// The numbers without derivatives.
@@ -65,7 +67,8 @@ ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
           at(n.kinetic),
           at(n.threshold),
           {at(n.edge.sin), at(n.edge.cos), at(n.edge.versine)},
-          n.full};
+          n.full,
+          at(n.radial)};
 }
 
 /// How the layer moves when left alone.

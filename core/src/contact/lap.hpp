@@ -25,6 +25,7 @@ struct LapEntry {
   LayerState<S> layer;
   bool carried{false};  ///< full contact: the zone below goes on from the lap before
   ZoneState zone{ZoneState::stick};
+  LayerState<S> across{S(0.0), S(0.0)};  ///< of the radial motion
 };
 
 /// A zone with what is needed to draw the fields in it.

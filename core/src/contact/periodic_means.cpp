@@ -2,8 +2,10 @@
 // Derivatives of the periodic state: the implicit function theorem at the fixed point of the return map.
 #include "contact/periodic_state.hpp"
 
+#include "contact/radial_state.hpp"
 #include "contact/return_map.hpp"
 #include "contact/scalars.hpp"
+#include "contact/widened.hpp"
 
 namespace twum::contact {
 namespace {
@@ -17,28 +19,6 @@ void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at,
   at = {with_value(S(at.e + step.e), value.e), with_value(S(at.rate + step.rate), value.rate)};
 }
 
-// x with two more directions, in which it does not move.
-template <int N>
-Dual<double, N + 2> widened(const Dual<double, N>& x) {
-  Dual<double, N + 2> wide(x.v);
-  for (int i = 0; i < N; ++i) wide.d[i] = x.d[i];
-  return wide;
-}
-
-template <int N>
-ContactNumbers<Dual<double, N + 2>> widened(const ContactNumbers<Dual<double, N>>& n) {
-  return {widened(n.inertia),
-          widened(n.damping),
-          widened(n.stick_rate),
-          widened(n.speed_ratio),
-          widened(n.half_angle),
-          widened(n.peak),
-          widened(n.kinetic),
-          widened(n.threshold),
-          {widened(n.edge.sin), widened(n.edge.cos), widened(n.edge.versine)},
-          n.full};
-}
-
 // A turn from the periodic state, with derivatives in N numbers and, behind them, in the state at entry (E6.2); and what they
 // are together by the implicit function theorem. Where the return map has no isolated fixed point there are no derivatives.
 template <int N>
@@ -48,7 +28,7 @@ class DifferentiatedTurn {
 
   DifferentiatedTurn(const ContactNumbers<Dual<double, N>>& numbers, const PeriodicState& state,
                      Means means = Means::all) {
-    const ContactNumbers<Wide> n = widened(numbers);
+    const ContactNumbers<Wide> n = widened<2>(numbers);
     LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
     entry.layer.e.d[N] = 1;
     entry.layer.rate.d[N + 1] = 1;
@@ -91,6 +71,8 @@ class DifferentiatedTurn {
 
 MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state,
                          Means means) {
+  if constexpr (kHasRadialMotion)
+    if (value_of(numbers.radial) != 0) return {radial_means(numbers, state), {}};
   if constexpr (!kStateAlways) {
     if (!state.remembers) {
       const LapEntry<MotionDual> entry = constant_entry<MotionDual>(state.entry);
@@ -114,6 +96,8 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
   if constexpr (kDualDepth<S> == 0) {
     return state.lap.means;
   } else {
+    if constexpr (kHasRadialMotion)
+      if (value_of(numbers.radial) != 0) return radial_means(numbers, state);
     const LayerMotion<S> layer(numbers.inertia, numbers.damping);
     LapEntry<S> entry = constant_entry<S>(state.entry);
     const ZoneSequence* sequence = &state.lap.sequence;

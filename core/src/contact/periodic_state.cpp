@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/periodic_state.hpp"
+#include "contact/radial_state.hpp"
 
 #include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
@@ -331,6 +332,8 @@ PeriodicState searched_state(const ContactNumbers<double>& numbers,
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer, const LapGuess* guess,
                                   double accuracy) {
+  if constexpr (kHasRadialMotion)
+    if (numbers.radial != 0) return find_radial_state(numbers, guess, accuracy);
   return enters_at_rest(numbers, layer) ? lap_from_rest(numbers, layer, guess)
                                         : searched_state(numbers, layer, guess, accuracy);
 }

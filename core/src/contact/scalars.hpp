@@ -7,13 +7,24 @@
 
 namespace twum::contact {
 
+/// The radial motion of the surface is computed. The page leaves it out and says so: it would be an eighth larger.
+#ifdef __wasm__
+inline constexpr bool kHasRadialMotion = false;
+#else
+inline constexpr bool kHasRadialMotion = true;
+#endif
+
+/// The numbers that a contact depends on: the last is that of the radial motion.
+inline constexpr int kContactNumbers = kHasRadialMotion ? 8 : 7;
+
 /// Derivatives in the speed and in the wave's amplitude, in this order.
 using MotionDual = Dual<double, 2>;
 inline constexpr int kInSpeed = 0, kInAmplitude = 1;
-using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry
-using SpeedDual = Dual<double, 1>;        ///< derivative along the speed
-using NumbersDual = Dual<double, 7>;      ///< derivatives in the seven contact numbers
-using NumbersDual2 = Dual<SpeedDual, 7>;  ///< and theirs along the speed
+using StateDual = Dual<double, 2>;                  ///< derivatives in the layer's state at entry
+using PlaneDual = Dual<double, 4>;                  ///< the same of a layer that moves in the plane
+using SpeedDual = Dual<double, 1>;                  ///< derivative along the speed
+using NumbersDual = Dual<double, kContactNumbers>;  ///< derivatives in the contact numbers
+using NumbersDual2 = Dual<SpeedDual, kContactNumbers>;  ///< and theirs along the speed
 
 /// S with two directions more, for the layer's state at entry.
 template <typename S>
@@ -21,6 +32,14 @@ struct WithState;
 template <int N>
 struct WithState<Dual<double, N>> {
   using Type = Dual<double, N + 2>;
+};
+
+/// The same for a layer that moves in the plane.
+template <typename S>
+struct WithPlaneState;
+template <int N>
+struct WithPlaneState<Dual<double, N>> {
+  using Type = Dual<double, N + 4>;
 };
 
 /// Use the scalars with the layer's state also for layers that come back at rest. This is a little slower, but saves a second

@@ -19,6 +19,11 @@ double modal_damping(const MotorDesign& design) {
                           get(design, Parameter::modal_mass));
 }
 
+bool has_radial_shape(const MotorDesign& design) {
+  const RadialShape& shape = design.stator.radial_shape;
+  return design.stator.geometry || !shape.table.empty() || shape.exponent != 0;
+}
+
 bool has_modal_data(const MotorDesign& design) {
   const Stator& stator = design.stator;
   if (stator.geometry) return stator.quality_factor || stator.modal_damping > 0;

@@ -56,6 +56,7 @@ inline double loss_factor(const MotorDesign& d) {
 /// @}
 
 inline bool is_sliced(const MotorDesign& d) { return d.stator.radial_slices != 1; }
+inline bool has_shape(const MotorDesign& d) { return is_sliced(d) || d.stator.radial_motion; }
 inline bool by_modal_data(const MotorDesign& d) { return !d.stator.geometry; }
 inline bool has_electrodes(const MotorDesign& d) {
   return d.stator.geometry || d.stator.force_factor;
@@ -74,7 +75,7 @@ inline bool set_kinetic_friction(MotorDesign& d, double value) {
 template <auto member>
 constexpr ParameterPlace of_shape() {
   return plain<member>()
-      .used_if([](const MotorDesign& d) { return is_sliced(d) && shape_has_formula(d); })
+      .used_if([](const MotorDesign& d) { return has_shape(d) && shape_has_formula(d); })
       .kept_if(shape_has_formula)
       .set_by([](MotorDesign& d, double value) {
         d.stator.radial_shape.table.clear();

@@ -98,8 +98,11 @@ std::string track_complaint(const MotorDesign& design) {
   if (!(inner > 0))
     return "contact_width must be less than twice the contact_radius = " +
            millimetres(stator.contact_radius) + ", but is " + millimetres(stator.contact_width);
-  if (stator.radial_slices == 1 || stator.geometry) return {};
   const RadialShape& shape = stator.radial_shape;
+  if (stator.radial_motion && !has_radial_shape(design))
+    return "radial_motion needs the wave's radial shape, by radial_shape or geometry, but is true "
+           "without one";
+  if ((stator.radial_slices == 1 && !stator.radial_motion) || stator.geometry) return {};
   if (!shape.table.empty()) {
     const std::string wrong = table_complaint(shape.table, inner, outer);
     return wrong.empty() ? wrong : "radial_shape.table " + wrong;

@@ -32,6 +32,16 @@ class ShapeSpline {
            right * (right * right - 1.0) * (bend * m_[k + 1]);
   }
 
+  /// Derivative at a radius.
+  template <typename S>
+  S slope(const S& radius) const {
+    const std::size_t k = piece(value_of(radius));
+    const double width = x_[k + 1] - x_[k];
+    const S right = (radius - x_[k]) / width, left = 1.0 - right;
+    return (y_[k + 1] - y_[k]) / width + (width / 6) * ((3.0 * right * right - 1.0) * m_[k + 1] -
+                                                        (3.0 * left * left - 1.0) * m_[k]);
+  }
+
  private:
   std::size_t piece(double radius) const {
     const auto next = std::upper_bound(x_.begin() + 1, x_.end() - 1, radius);

@@ -110,7 +110,8 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::contact_ratio:
     case M::max_pressure:
     case M::layer_aspect:
-    case M::pressure_nonuniformity: break;
+    case M::pressure_nonuniformity:
+    case M::radial_motion_ratio: break;
   }
   return S(0.0);
 }
@@ -235,6 +236,8 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::layer_aspect: return to.of_contact([](const auto& m) { return layer_aspect(m); });
     case M::pressure_nonuniformity:
       return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
+    case M::radial_motion_ratio:
+      return to.of_contact([](const auto& m) { return ratio_at_contact(m); });
     case M::max_overall_efficiency:
       return to.at_peak(M::overall_efficiency_at, search.max_overall_efficiency());
     case M::speed_at_max_overall_efficiency:

@@ -41,6 +41,9 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
      "thickness of the layer over the length of one contact zone"},
     {M::pressure_nonuniformity, "pressure_nonuniformity", "1", A::none,
      "largest over mean pressure across the track, each averaged over a wave"},
+    {M::radial_motion_ratio, "radial_motion_ratio", "1", A::none,
+     "radial over tangential motion of the surface at the contact radius; computed with "
+     "stator.radial_motion"},
     {M::max_overall_efficiency, "max_overall_efficiency", "1", A::none,
      "largest overall efficiency between rest and no-load speed", kModes},
     {M::speed_at_max_overall_efficiency, "speed_at_max_overall_efficiency", "rad/s", A::none,

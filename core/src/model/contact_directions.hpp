@@ -22,22 +22,30 @@ struct ContactScalar<ModelDual2> {
   using Outer = contact::NumbersDual2;
 };
 
-/// The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
+/// The eight numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
 template <typename S>
-std::array<S, 7> listed(const contact::ContactNumbers<S>& n) {
-  return {n.inertia, n.damping,  n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
-          n.kinetic, n.threshold};
+std::array<S, 8> listed(const contact::ContactNumbers<S>& n) {
+  return {n.inertia, n.damping,   n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
+          n.kinetic, n.threshold, n.radial};
 }
 
-/// Seeds the seven numbers as independent variables.
+/// Seeds the eight numbers as independent variables.
 template <typename K, typename S>
 contact::ContactNumbers<K> seeded(const contact::ContactNumbers<S>& n) {
-  const std::array<S, 7> x = listed(n);
+  const std::array<S, 8> x = listed(n);
   const auto variable = [&x](int i) { return K::variable(x[static_cast<std::size_t>(i)].v, i); };
-  contact::ContactNumbers<K> k{variable(0), variable(1), variable(2),
-                               variable(3), K(0.0),      K(0.0),
-                               variable(5), variable(6), {K(0.0), K(0.0), K(0.0)},
-                               n.full};
+  contact::ContactNumbers<K> k{
+      variable(0),
+      variable(1),
+      variable(2),
+      variable(3),
+      K(0.0),
+      K(0.0),
+      variable(5),
+      variable(6),
+      {K(0.0), K(0.0), K(0.0)},
+      n.full,
+      contact::kHasRadialMotion ? variable(contact::kContactNumbers - 1) : K(0.0)};
   if (n.full) {
     k.half_angle = K(value_of(n.half_angle));
     k.peak = variable(4);
@@ -50,14 +58,15 @@ contact::ContactNumbers<K> seeded(const contact::ContactNumbers<S>& n) {
   return k;
 }
 
-/// Derivatives in the seven numbers times those of the numbers.
+/// Derivatives in the eight numbers times those of the numbers.
 template <typename S, typename K>
-S chained(const K& f, const std::array<S, 7>& x) {
+S chained(const K& f, const std::array<S, 8>& x) {
   S r;
   r.v = f.v;
   for (std::size_t j = 0; j < std::size(r.d); ++j) {
     r.d[j] = f.d[0] * x[0].d[j];
-    for (int i = 1; i < 7; ++i) r.d[j] = r.d[j] + f.d[i] * x[static_cast<std::size_t>(i)].d[j];
+    for (int i = 1; i < contact::kContactNumbers; ++i)
+      r.d[j] = r.d[j] + f.d[i] * x[static_cast<std::size_t>(i)].d[j];
   }
   return r;
 }

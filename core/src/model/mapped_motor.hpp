@@ -26,7 +26,8 @@ Slice<T> mapped(const Slice<S>& s, F c) {
           c(s.pressure_force),
           c(s.torque_scale),
           c(s.power_scale),
-          c(s.force_scale)};
+          c(s.force_scale),
+          c(s.radial)};
 }
 
 /// A motor with its numbers in another scalar.

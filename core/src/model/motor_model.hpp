@@ -32,6 +32,7 @@ struct TrackRule {
   std::shared_ptr<const ShapeSpline> table{};  ///< of the radial shape; null: exponent and root
   bool mode{false};                            ///< the shape is a mode of the plate
   bool splits{false};  ///< panels end where zones appear, too (W4.4); else a panel is a piece
+  bool radial{false};  ///< the surface moves radially, too
   bool settled{
       true};  ///< more nodes would change nothing; false where `auto` has given up the search for so many
 };
@@ -115,6 +116,8 @@ struct Slice {
   S power_scale;
   /// Force on the wave of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6), at the mean radius (W3.4) [N].
   S force_scale;
+  S radial{
+      0.0};  ///< q, radial motion of the surface per tangential one (R1.1); 0 where it is left out
 };
 
 /// A motor under a wave (theory section 3). As a slice it is the contact at the mean radius.
@@ -254,6 +257,10 @@ Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
 template <typename S>
 DrivenMotor<S> over_annulus(DrivenMotor<S> motor);
 
+/// q = rho R' / (n R), radial motion of the surface per tangential one at a radius (R1.1).
+template <typename S>
+S radial_ratio(const MotorModel<S>& model, const S& radius);
+
 /// The slices that touch where the pieces are split (W4.1, W4.3), in rising order of radius.
 template <typename S>
 std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor,
@@ -288,6 +295,7 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
                           : contact::trig(m.contact.half_angle);
   static_cast<Slice<S>&>(m) = completed<S>(m, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
+  if (contact::kHasRadialMotion && m.track.radial) m.radial = radial_ratio<S>(m, m.r);
   if (m.track.nodes == 1) return m;
   return over_annulus(std::move(m));
 }
@@ -309,7 +317,7 @@ inline bool wave_meets_rotor(const DrivenMotor<double>& m, double speed) {
   return std::isfinite(speed) && m.omega + m.kappa * (m.r * speed) > 0;
 }
 
-/// The contact's seven numbers (E1.1) in a slice at rotor speed Omega, with W of (T2.1), which all slices share; R is S or
+/// The contact's eight numbers (E1.1, R1.1) in a slice at rotor speed Omega, with W of (T2.1), which all slices share; R is S or
 /// carries more derivatives than S.
 template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<S>& slice,
@@ -325,7 +333,8 @@ contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<
           R(m.kinetic),
           R(m.threshold),
           {R(slice.edge.sin), R(slice.edge.cos), R(slice.edge.versine)},
-          slice.contact.full};
+          slice.contact.full,
+          R(slice.radial)};
 }
 /// Those of the contact at the mean radius.
 template <typename S, typename R>

@@ -163,6 +163,11 @@ double most_pressed_radius(const DrivenMotor<double>& m) {
 }  // namespace
 
 template <typename S>
+S radial_ratio(const MotorModel<S>& m, const S& radius) {
+  return radius / m.n * shape_slope(m, radius);
+}
+
+template <typename S>
 Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   if (m.track.nodes == 1) return m;
   Slice<S> s;
@@ -175,6 +180,7 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
                                 ? flat_contact(m, depth)
                                 : contact_of(m, S(m.n / radius), s.amplitude, depth);
   s.contact = c.contact, s.edge = c.edge;
+  if (contact::kHasRadialMotion && m.track.radial) s.radial = radial_ratio<S>(m, radius);
   s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
   return completed<S>(s, m);
 }
@@ -275,6 +281,7 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
 }
 
 #define TWUM_INSTANTIATE(S, R)                                               \
+  template S radial_ratio(const MotorModel<S>&, const S&);                   \
   template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);     \
   template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&,           \
                                             std::span<const SplitPlace<S>>); \

@@ -29,6 +29,25 @@ R shape_excess(const MotorModel<S>& m, const R& radius) {
   return expm1(R(exponent * log1p(along)));
 }
 
+/// R' / R at a radius.
+template <typename S>
+S shape_slope(const MotorModel<S>& m, const S& radius) {
+  if (m.track.table) return m.track.table->slope(radius) / m.track.table->at(radius);
+  if (!m.track.mode) return m.shape_numbers[0] / (radius - m.shape_numbers[1]);
+  const S per_radius = 2.0 / m.b, place = per_radius * (radius - m.r);
+  S slope(0.0);
+  for (std::size_t i = kShapeNumbers; i-- > 0;)
+    slope = slope * place + static_cast<double>(i + 1) * m.shape_numbers[i];
+  return per_radius * slope / (1.0 + mode_excess(m, place));
+}
+
+/// |q| at the contact radius (R1.1).
+template <typename S>
+S ratio_at_contact(const MotorModel<S>& m) {
+  const S q = m.r / m.n * shape_slope(m, m.r);
+  return value_of(q) < 0 ? S(-q) : q;
+}
+
 /// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1) [m].
 template <typename S, typename R>
 R crest_rise(const DrivenMotor<S>& m, const R& radius) {

@@ -23,7 +23,7 @@ bool is_elastic(const DrivenMotor<double>& m) {
 // The zones of a slice; none where the theory has no answer.
 std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const Slice<double>& s,
                                             double speed) {
-  if (s.contact.half_angle == 0 || (speed == 0 && locks_at_rest(m, s))) return {};
+  if (m.track.radial || s.contact.half_angle == 0 || (speed == 0 && locks_at_rest(m, s))) return {};
   const ContactNumbers<double> n = contact_numbers(m, s, speed);
   const LayerMotion<double> layer(n.inertia, n.damping);
   const contact::PeriodicState state = contact::find_periodic_state(n, layer);

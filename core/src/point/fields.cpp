@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "point/fields.hpp"
 
+#include "contact/radial_lap.hpp"
 #include "model/track.hpp"
 #include "point/point.hpp"
 
@@ -20,12 +21,14 @@ constexpr double kPi = std::numbers::pi;
 
 struct Trace {
   std::vector<ZoneTrace> zones;
+  std::vector<contact::RadialPiece>
+      pieces;                     // in place of the zones where the surface moves radially, too
   LayerState<double> exit{0, 0};  // layer at the end of the contact
 };
 
-// The layer between two events, in units of P: strain e, its rate, traction t.
+// The layer between two events, in units of P: strain e, its rate, traction t, and the traction across the track.
 struct LayerAt {
-  double e, rate, traction;
+  double e, rate, traction, across{0};
 };
 
 LayerAt stick_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
@@ -58,8 +61,20 @@ LayerAt free_at(const ContactNumbers<double>& n, const LayerMotion<double>& laye
   return {h.e, h.rate, 0};
 }
 
+LayerAt radial_at(const ContactNumbers<double>& n, const contact::RadialPiece& piece,
+                  double theta) {
+  if constexpr (contact::kHasRadialMotion) {
+    const contact::RadialSample at = contact::sample_of(piece, n, theta);
+    return {at.strain.along, at.rate.along, at.traction.along, at.traction.across};
+  } else {
+    return {};
+  }
+}
+
 LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
                  const Trace& trace, double theta) {
+  for (const contact::RadialPiece& piece : trace.pieces)
+    if (theta >= piece.from && theta <= piece.to) return radial_at(n, piece, theta);
   for (const ZoneTrace& z : trace.zones) {
     if (theta >= z.zone.from && theta <= z.zone.to) {
       return z.zone.state == ZoneState::stick ? stick_at(n, layer, z, theta)
@@ -74,6 +89,12 @@ LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& lay
 Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
                const contact::PeriodicState& state) {
   Trace trace;
+  if constexpr (contact::kHasRadialMotion) {
+    if (n.radial != 0) {
+      trace.exit = contact::run_radial_lap(n, state.entry, &trace.pieces).exit;
+      return trace;
+    }
+  }
   trace.exit = contact::run_lap(n, layer, state.entry, &state.lap.sequence, &trace.zones).exit;
   return trace;
 }
@@ -94,7 +115,14 @@ double pressure_at(const Slice<double>& s, double theta) {
 
 // What does not depend on the tangential contact.
 FieldSample untouched_sample(const Slice<double>& s, double speed, double theta) {
-  return {theta, pressure_at(s, theta), 0, 0, s.crest_velocity * std::cos(theta), s.radius * speed};
+  return {theta,
+          pressure_at(s, theta),
+          0,
+          0,
+          s.crest_velocity * std::cos(theta),
+          s.radius * speed,
+          s.radial == 0 ? 0 : s.radial * s.crest_velocity * std::sin(theta),
+          0};
 }
 
 // A layer that is dragged over a flat stator.
@@ -117,6 +145,8 @@ FieldSample locked_sample(const DrivenMotor<double>& m, const Slice<double>& s, 
       mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
   sample.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
   sample.layer_velocity = sample.stator_velocity;
+  sample.radial_traction =
+      P * swing * s.radial * (n.damping * std::sin(theta) - (1 - n.inertia) * std::cos(theta));
   return sample;
 }
 
@@ -125,6 +155,7 @@ FieldSample rubbing_sample(const DrivenMotor<double>& m, const Slice<double>& s,
   const double P = s.contact.pressure_amplitude;
   FieldSample sample = untouched_sample(s, 0, theta);
   sample.traction = P * at.traction;
+  sample.radial_traction = P * at.across;
   sample.displacement = m.thickness * P * at.e / m.shear;
   sample.layer_velocity = s.crest_velocity * (n.speed_ratio + at.rate / n.stick_rate);
   return sample;
@@ -138,6 +169,18 @@ Rubbing rubbing_of(const DrivenMotor<double>& m, const Slice<double>& s, double 
   if (m.amplitude == 0) return Rubbing::flat_stator;
   if (s.contact.half_angle == 0) return Rubbing::nothing;
   return speed == 0 && locks_at_rest(m, s) ? Rubbing::locked_layer : Rubbing::wave;
+}
+
+// Steps of one slip zone belong together as long as they slip to the same side.
+std::vector<Zone> zones_of(const Trace& trace) {
+  std::vector<Zone> zones;
+  for (const ZoneTrace& z : trace.zones) zones.push_back(z.zone);
+  for (const contact::RadialPiece& piece : trace.pieces) {
+    if (zones.empty() || zones.back().state != piece.zone)
+      zones.push_back({piece.zone, piece.from, piece.to});
+    zones.back().to = piece.to;
+  }
+  return zones;
 }
 
 // The contact in its periodic state.
@@ -165,9 +208,7 @@ std::vector<Zone> zones_at(const DrivenMotor<double>& m, double speed, double ra
     case Rubbing::locked_layer: return {{ZoneState::stick, -edge, edge}};
     case Rubbing::wave: break;
   }
-  std::vector<Zone> zones;
-  for (const ZoneTrace& z : Rubbed(m, s, speed).trace.zones) zones.push_back(z.zone);
-  return zones;
+  return zones_of(Rubbed(m, s, speed).trace);
 }
 
 std::vector<FieldSample> fields_at(const DrivenMotor<double>& m, double speed, double radius,

@@ -2,6 +2,7 @@
 #include "point/point.hpp"
 
 #include "contact/lane_laps.hpp"
+#include "contact/radial_lock.hpp"
 #include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 #include "model/scalars.hpp"
@@ -86,8 +87,14 @@ struct Lock {
             back = n.threshold - n.damping * n.stick_rate;
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);
-    damping_work = 0.5 * n.damping * n.stick_rate;
-    reactive_force = 0.5 * swing;
+    const S motion = 1.0 + n.radial * n.radial;  // of both components
+    damping_work = 0.5 * n.damping * n.stick_rate * motion;
+    reactive_force = 0.5 * swing * motion;
+    if constexpr (contact::kHasRadialMotion) {
+      if (value_of(n.radial) == 0) return;
+      const contact::RadialLock<S> lock(n);
+      low = lock.low, high = lock.high;
+    }
   }
 };
 
@@ -260,7 +267,8 @@ void SolvedPoint::solve(const DrivenMotor<double>& m, std::span<const Slice<doub
   others_ = std::vector<SolvedSlice>(slices.size() - 1);
   for (std::size_t k = 0; k < slices.size() && (status == PointStatus::ok || may_skip); ++k) {
     SolvedSlice& s = slice(k);
-    if (contact::kHasLanes && k % contact::kLanes == 0) solve_in_step(m, slices, k, speed, layer);
+    if (contact::kHasLanes && !m.track.radial && k % contact::kLanes == 0)
+      solve_in_step(m, slices, k, speed, layer);
     if (s.state.laps == 0) {
       const auto entry = entry_near(slices, k, guess);
       s = {m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy};
@@ -301,6 +309,7 @@ static double gained(const contact::LayerState<double>& slope,
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
                                                    const MovingStates& states) const {
+  if (m.track.radial) return {};  // no zones in closed form to follow
   const PointSlices<double> slices(m, fixed_places(splits_));
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())

@@ -74,6 +74,8 @@ class WarmStart {
     const auto &p = a.layer, &q = b.layer;
     Entry entry = b;
     entry.layer = {q.e + t * (q.e - p.e), q.rate + t * (q.rate - p.rate)};
+    const auto &u = a.across, &v = b.across;
+    entry.across = {v.e + t * (v.e - u.e), v.rate + t * (v.rate - u.rate)};
     return entry;
   }
 
@@ -178,7 +180,7 @@ class SolvedPoint {
                                         const WarmStart& entry, const MovingStates& states) const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
-  /// differentiated in its own seven numbers and chained.
+  /// differentiated in its own eight numbers and chained.
   template <typename S>
   PointNumbers<S> differentiated(const DrivenMotor<S>& motor, const S& speed) const;
   /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.

@@ -110,7 +110,7 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
   return summed(m, speed, [](const ContactNumbers<S>& n, const contact::PeriodicState& state) {
     const contact::ContactMeans<K> means =
         contact::periodic_means(seeded<K>(n), values_of(n), state);
-    const std::array<S, 7> x = listed(n);
+    const std::array<S, 8> x = listed(n);
     return contact::ContactMeans<S>{
         chained(means.traction, x),       chained(means.stator_power, x),
         chained(means.friction_power, x), chained(means.layer_loss, x),

@@ -30,8 +30,9 @@ constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.
 using Numbers = std::array<SolvedPoint, kSpeeds.size()>;
 
 DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& rule, int nodes) {
-  return driven(motor_model(values, {nodes, rule.table, rule.mode, rule.splits}),
-                design_wave(values));
+  TrackRule with_nodes = rule;
+  with_nodes.nodes = nodes;
+  return driven(motor_model(values, with_nodes), design_wave(values));
 }
 
 // Largest difference of two points in units of their scales; points without an answer say nothing.
@@ -106,11 +107,14 @@ TrackRule track_rule(const MotorDesign& design) {
   const auto& table = stator.radial_shape.table;
   const ModelArray<double> values = model_values(design);
   const bool jumps = design.friction.threshold > design.friction.kinetic;
+  // The jumps of a surface that moves radially are not followed.
   const bool stays_whole =
-      jumps && remembers_long(driven(motor_model(values), design_wave(values)));
+      jumps &&
+      (stator.radial_motion || remembers_long(driven(motor_model(values), design_wave(values))));
   TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
-                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole};
+                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole,
+                 stator.radial_motion};
   // A motor under a voltage has no wave here; Drive asks again with one.
   if (rule.splits && !stator.voltage && is_laborious(values)) {
     rule.splits = false;

@@ -145,7 +145,7 @@ export class LimitsEditor {
     this.metric =
         el('select', {'aria-label': 'metric of a new limit'},
            Object.keys(metrics)
-               .filter((name) => metrics[name].argument !== 'both' && !metrics[name].aged)
+               .filter((name) => metrics[name].argument !== 'both' && !metrics[name].absent)
                .map((name) => el('option', {value: name}, shortName(name))));
     this.at = this.text('speed or torque at which the limit holds');
     this.sense =

@@ -257,7 +257,7 @@ export class DesignerPanel {
     return Object.entries(this.tables.metrics)
         .filter(
             ([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge) &&
-                !m.aged &&
+                !m.absent &&
                 (values.voltage !== undefined ||
                  !['pull_out_torque', 'start_frequency', 'pull_out_frequency'].includes(name)) &&
                 !(moving && (m.modes || m.geometry)))
@@ -317,7 +317,12 @@ export class DesignerPanel {
     if (this.tasks.length && !this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
-  showNotes() { this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' ')); }
+  showNotes() {
+    const notes = this.core.notes(true);
+    if (this.state.opened.besides['stator.radial_motion'] === 'true')
+      notes.unshift('this page leaves out the radial motion of the surface, which twum curve computes');
+    this.tell(notes.map((note) => 'Note: ' + note + '.').join(' '));
+  }
 
   showEffects() {
     const {goal} = this.state.view;

@@ -101,8 +101,12 @@ Json only_true(Json row) {
 
 // What a motor file gives for temperatures, wear and a drive that follows: a page keeps it as it is.
 bool is_kept(std::string_view entry) {
-  constexpr std::array<std::string_view, 5> kKept{"thermal.", "wear.", "operation",
-                                                  "stator.control", "stator.frequency_range"};
+  constexpr std::array<std::string_view, 6> kKept{"thermal.",
+                                                  "wear.",
+                                                  "operation",
+                                                  "stator.control",
+                                                  "stator.frequency_range",
+                                                  "stator.radial_motion"};
   return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
 }
 
@@ -151,8 +155,9 @@ Json parameters_json(std::string_view text) {
 Json metrics_json(std::string_view text) {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table()) {
-    const bool aged = row.needs_thermal || row.needs_wear;
-    if (aged && !names(text, row.name)) continue;
+    const bool absent =
+        row.needs_thermal || row.needs_wear || row.metric == Metric::radial_motion_ratio;
+    if (absent && !names(text, row.name)) continue;
     json[std::string(row.name)] = only_true(
         {{"unit", row.unit},
          {"text", row.text},
@@ -160,7 +165,7 @@ Json metrics_json(std::string_view text) {
          {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
          {"modes", row.needs_modes},
          {"geometry", row.needs_geometry},
-         {"aged", aged}});
+         {"absent", absent}});
   }
   return json;
 }

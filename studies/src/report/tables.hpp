@@ -17,7 +17,7 @@ namespace twum::studies {
 Json parameters_json(std::string_view text);
 
 /// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "share": shown in per cent,
-/// "modes", "geometry", "aged": of heat or wear}}; likewise
+/// "modes", "geometry", "absent": of heat, wear or radial motion, which a page does not compute}}; likewise
 Json metrics_json(std::string_view text);
 
 /// {word: what it means} of missing answers

@@ -5,11 +5,11 @@
 #include "interrupt.hpp"
 #include "json_parts.hpp"
 #include "message.hpp"
+#include "model_comparison.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "plot/curve_plot.hpp"
-#include "slice_comparison.hpp"
 #include "text_table.hpp"
 
 #include <twum/io/engineering.hpp>
@@ -40,7 +40,8 @@ constexpr const char* kCurveExamples = R"text(Examples:
   twum curve ring-60.yaml --speeds "0 rpm, 50 rpm, 10 rad/s" --format json
   twum curve ring-60.yaml --set "amplitude=2 um" --set "preload=140 N"
   twum curve ring-60.yaml --plot curve.svg
-  twum curve ring-60.yaml --compare-slices)text";
+  twum curve ring-60.yaml --compare-slices
+  twum curve plate-60.yaml --compare-radial)text";
 
 struct CurveOptions {
   MotorOptions motor;
@@ -48,6 +49,7 @@ struct CurveOptions {
   std::string speeds;
   std::string plot;
   bool compare_slices{false};
+  bool compare_radial{false};
   OutputOptions output;
 };
 
@@ -58,8 +60,8 @@ struct Curve {
   std::vector<MetricValue> values;
   std::vector<OperatingPoint> points;
   std::vector<std::vector<Zone>> zones;
-  std::vector<std::optional<bool>> squeals;  // nothing where it is unknown
-  std::optional<SliceComparison> slices;     // if it was asked for
+  std::vector<std::optional<bool>> squeals;       // nothing where it is unknown
+  std::optional<ModelComparison> slices, radial;  // if they were asked for
 };
 
 std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
@@ -92,6 +94,7 @@ Curve compute(const CurveOptions& options) {
     curve.squeals.push_back(studies::squeals(curve.file.design, motor.backward_wave(speed)));
   }
   if (options.compare_slices) curve.slices = compare_slices(curve.file.design);
+  if (options.compare_radial) curve.radial = compare_radial(curve.file.design);
   return curve;
 }
 
@@ -117,6 +120,7 @@ std::string as_json(const Curve& curve) {
   for (const CurveColumn& column : curve.columns) json["units"][column.name] = column.unit;
   json["units"]["from"] = json["units"]["to"] = "rad";
   if (curve.slices) json["slices"] = comparison_json(*curve.slices);
+  if (curve.radial) json["radial"] = comparison_json(*curve.radial);
   json["curve"] = Json::array();
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     json["curve"].push_back(point_json(curve, i));
@@ -204,12 +208,20 @@ std::string terminals_table(const Curve& curve, std::size_t width) {
       width);
 }
 
+// The metrics, or the comparisons that were asked for in their place.
+std::string comparisons_text(const Curve& curve) {
+  std::string text;
+  for (const auto* one : {&curve.slices, &curve.radial})
+    if (*one) text += (text.empty() ? "" : "\n") + comparison_text(**one);
+  return text.empty() ? metrics_table(curve) : text;
+}
+
 std::string as_table(const Curve& curve, std::size_t width) {
   const std::string name = curve.file.name.empty() ? "motor" : studies::printable(curve.file.name);
   const std::string contact = points_table(
       curve, studies::contact_columns(), "zones",
       [&](std::size_t i) { return zones_text(curve, i); }, width);
-  const std::string metrics = curve.slices ? comparison_text(*curve.slices) : metrics_table(curve);
+  const std::string metrics = comparisons_text(curve);
   const std::string text = name + "\n\n" + metrics + "\n" + contact;
   return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve, width) : text;
 }
@@ -233,9 +245,9 @@ std::set<std::string> reasons_in(const Curve& curve) {
 }
 
 int run_curve(const CurveOptions& options) {
-  if (options.compare_slices && options.output.format == "csv")
-    throw InputError(
-        "--compare-slices compares metrics, which a CSV file does not contain; use --format json");
+  if ((options.compare_slices || options.compare_radial) && options.output.format == "csv")
+    throw InputError(std::string(options.compare_slices ? "--compare-slices" : "--compare-radial") +
+                     " compares metrics, which a CSV file does not contain; use --format json");
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
@@ -275,6 +287,8 @@ void add_curve(CLI::App& app, Action& action) {
   add_plot_option(*command, options->plot);
   command->add_flag("--compare-slices", options->compare_slices,
                     "Show how the width of the contact track changes each metric");
+  command->add_flag("--compare-radial", options->compare_radial,
+                    "Show how the radial motion of the surface changes each metric");
   command->footer(kCurveExamples);
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }

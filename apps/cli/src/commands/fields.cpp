@@ -52,7 +52,9 @@ constexpr FieldColumn kColumns[] = {{"phase", "rad", &FieldSample::phase},
                                     {"traction", "Pa", &FieldSample::traction},
                                     {"displacement", "m", &FieldSample::displacement},
                                     {"stator_velocity", "m/s", &FieldSample::stator_velocity},
-                                    {"layer_velocity", "m/s", &FieldSample::layer_velocity}};
+                                    {"layer_velocity", "m/s", &FieldSample::layer_velocity},
+                                    {"radial_velocity", "m/s", &FieldSample::radial_velocity},
+                                    {"radial_traction", "Pa", &FieldSample::radial_traction}};
 
 struct Fields {
   studies::MotorFile file;

@@ -4,8 +4,8 @@
 namespace twum {
 
 /// The wave that runs against the driven one, to first order in its amplitude (theory of the driven stator, section
-/// 6). Unknown numbers are NaN. All are unknown in full contact with stick, and where some of the layer sticks and
-/// the layer has damping or inertia, or mu_0 > mu. Without modal data all but fed_damping are unknown.
+/// 6). Unknown numbers are NaN. All are unknown in full contact with stick, with radial_motion, and where some of the layer sticks
+/// and the layer has damping or inertia, or mu_0 > mu. Without modal data all but fed_damping are unknown.
 struct BackwardWave {
   double ratio;  ///< |z| / A, driven by unequal phases and modes (D6.5); 0 if they are equal [1]
   double standing_wave_ratio;  ///< (A + |z|) / (A - |z|) [1]

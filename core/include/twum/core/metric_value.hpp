@@ -21,6 +21,7 @@ enum class Metric : unsigned char {
   max_pressure,
   layer_aspect,
   pressure_nonuniformity,
+  radial_motion_ratio,
   max_overall_efficiency,
   speed_at_max_overall_efficiency,
   pull_out_torque,

@@ -118,7 +118,10 @@ struct Stator {
   /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the
   /// paper; kAutoSlices and below: on each panel.
   int radial_slices{1};
-  RadialShape radial_shape{};  ///< used if the track has more than one slice
+  RadialShape radial_shape{};  ///< used if the track has more than one slice, or with radial_motion
+  /// The surface moves radially, too, where radial_shape or the mode of the geometry rises across the track (theory of radial
+  /// motion, R1.1). False: the model of the paper.
+  bool radial_motion{false};
   /// Geometry of the stator. If given, it determines resonance_frequency, modal_mass, force_factor,
   /// blocked_capacitance, neutral_plane_distance and radial_shape, and these members are ignored (theory of the
   /// plate, section 8).
@@ -282,6 +285,9 @@ double modal_damping(const MotorDesign& design);
 /// True if the design has all data that relate the wave to a voltage: resonance_frequency, modal_mass, force_factor,
 /// and damping.
 bool has_modal_data(const MotorDesign& design);
+
+/// True if the wave's amplitude changes across the track: by radial_shape, or by the mode of a geometry.
+bool has_radial_shape(const MotorDesign& design);
 
 /// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa]. Smooth; never throws.
 double shear_modulus(const MotorDesign& design);

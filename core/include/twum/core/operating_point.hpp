@@ -94,6 +94,8 @@ struct FieldSample {
   double displacement;     ///< h eps, of the layer surface against the rotor [m]
   double stator_velocity;  ///< v_s [m/s]
   double layer_velocity;   ///< v_r [m/s]
+  double radial_velocity;  ///< of the stator's surface (R1.1), 0 without radial_motion [m/s]
+  double radial_traction;  ///< on the layer, outward [Pa]
 };
 
 /// Fields along one wave in the periodic state, at one radius of the contact track.

@@ -20,6 +20,7 @@ struct GivenMotor {
   std::optional<Branch> branch{};
   std::optional<DriveControl> control{};
   std::optional<std::vector<double>> frequency_range{};  ///< lowest and highest [Hz]
+  std::optional<bool> radial_motion{};
   std::optional<EquivalentCircuit> circuit{};
   std::optional<stator::InnerEdge> inner_edge{};  ///< of the geometry
   std::vector<LoadPhase> operation{};

@@ -121,12 +121,87 @@ void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
   }
 }
 
-// The change of a metric from one slice to the whole track, relative; 0 if one of them has none.
-double change(const Motor& one, const Motor& track, Metric metric) {
-  const MetricValue before = evaluate(one, {metric}), after = evaluate(track, {metric});
-  const bool known = before.status == MetricStatus::ok && after.status == MetricStatus::ok;
-  return known && before.value != 0 ? after.value / before.value - 1 : 0;
+// Relative changes of metrics from one model to another that matter, in words, and the largest.
+struct Changes {
+  std::string text;
+  double worst{0};
+};
+
+struct ComparedMetric {
+  std::string name;
+  MetricRequest request;
+};
+
+Changes changes(const Motor& before, const Motor& after,
+                const std::vector<ComparedMetric>& compared, double least) {
+  Changes found;
+  for (const ComparedMetric& one : compared) {
+    const MetricValue from = evaluate(before, one.request), to = evaluate(after, one.request);
+    const bool known = from.status == MetricStatus::ok && to.status == MetricStatus::ok;
+    const double by = known && from.value != 0 ? to.value / from.value - 1 : 0;
+    if (!known || std::fabs(by) < least) continue;
+    found.worst = std::max(found.worst, std::fabs(by));
+    found.text +=
+        (found.text.empty() ? "" : ", ") + one.name + " by " + rounded_text(100 * by, 2) + " %";
+  }
+  return found;
 }
+
+ComparedMetric plain(Metric metric) {
+  return {std::string(info(metric).name), {metric, Argument::none, 0}};
+}
+
+// Where the torque of each wave may jump, the largest power takes seconds.
+bool has_quick_peak(const MotorDesign& design) {
+  return !(design.stator.voltage && design.friction.threshold > design.friction.kinetic);
+}
+
+// What one slice leaves out.
+void add_width(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  constexpr double kMatters = 0.02;
+  constexpr int kSlices = 8;
+  MotorDesign wide = design;
+  wide.stator.radial_slices = kSlices;
+  if (design.stator.radial_slices != 1 || !complaints(wide).empty()) return;
+  std::vector<ComparedMetric> compared{plain(Metric::stall_torque), plain(Metric::no_load_speed)};
+  if (has_quick_peak(design)) compared.push_back(plain(Metric::peak_power));
+  const Changes found = changes(Motor(design), Motor(wide), compared, kMatters);
+  if (found.text.empty()) return;
+  notes.push_back(
+      {"width of the contact", found.worst,
+       "the width of the contact and the wave's radial shape, which one slice leaves out, "
+       "change " +
+           found.text + "; write 'radial_slices: auto' to include them"});
+}
+
+#ifndef __wasm__
+// What a surface that moves along the circumference only leaves out, on a few slices of the track.
+void add_radial_motion(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  constexpr double kSmall = 0.1;
+  constexpr int kSlices = 4;
+  MotorDesign without = design, with_it = design;
+  with_it.stator.radial_motion = true;
+  if (design.stator.radial_motion || !complaints(with_it).empty()) return;
+  if (design.stator.radial_slices != 1)
+    without.stator.radial_slices = with_it.stator.radial_slices = kSlices;
+  const Motor before(without);
+  const MetricValue ratio = evaluate(before, {Metric::radial_motion_ratio});
+  const MetricValue no_load = evaluate(before, {Metric::no_load_speed});
+  if (!(ratio.value > kSmall) || no_load.status != MetricStatus::ok) return;
+  std::vector<ComparedMetric> compared{{"the torque at half of the no-load speed",
+                                        {Metric::torque_at, Argument::speed, 0.5 * no_load.value}}};
+  if (has_quick_peak(design)) {
+    compared.insert(compared.begin(), plain(Metric::peak_power));
+    compared.push_back(plain(Metric::contact_efficiency_at_peak_power));
+  }
+  const Changes found = changes(before, Motor(with_it), compared, 0);
+  if (found.text.empty()) return;
+  notes.push_back({"radial motion", ratio.value,
+                   "the surface also moves radially, by " + rounded_text(ratio.value, 2) +
+                       " of its motion along the track, which is left out: it changes " +
+                       found.text + "; write 'radial_motion: true' under stator to include it"});
+}
+#endif
 
 // The speeds up to no-load at which a free backward wave grows, where that is known (D6.8).
 struct SquealSpeeds {
@@ -222,31 +297,10 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   std::vector<ModelNote> notes = model_notes(motor);
   if (const auto drive = drive_note(motor)) notes.push_back(*drive);
   add_squeal(motor, notes);
-  constexpr double kMatters = 0.02;
-  constexpr int kSlices = 8;
-  MotorDesign wide = design;
-  wide.stator.radial_slices = kSlices;
-  if (design.stator.radial_slices != 1 || !complaints(wide).empty()) return notes;
-  const Motor track(wide);
-  std::string text;
-  double worst = 0;
-  std::vector<Metric> compared{Metric::stall_torque, Metric::no_load_speed};
-  // Where the torque of each wave may jump, the largest power takes seconds.
-  const bool jumps = design.friction.threshold > design.friction.kinetic;
-  if (!(design.stator.voltage && jumps)) compared.push_back(Metric::peak_power);
-  for (const Metric metric : compared) {
-    const double by = change(motor, track, metric);
-    if (std::fabs(by) < kMatters) continue;
-    worst = std::max(worst, std::fabs(by));
-    text += (text.empty() ? "" : ", ") + std::string(info(metric).name) + " by " +
-            rounded_text(100 * by, 2) + " %";
-  }
-  if (!text.empty())
-    notes.push_back(
-        {"width of the contact", worst,
-         "the width of the contact and the wave's radial shape, which one slice leaves out, "
-         "change " +
-             text + "; write 'radial_slices: auto' to include them"});
+  add_width(design, notes);
+#ifndef __wasm__  // the page cannot compute it
+  add_radial_motion(design, notes);
+#endif
   return notes;
 }
 

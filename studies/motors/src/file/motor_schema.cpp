@@ -161,6 +161,14 @@ Field<GivenMotor> frequency_range_field() {
                            &GivenMotor::frequency_range, "any frequency"));
 }
 
+Field<GivenMotor> radial_motion_field() {
+  return hidden(optional<GivenMotor>(
+      "radial_motion",
+      word<bool>("whether the surface moves radially, too, where the wave rises across the track",
+                 {"false", "true"}),
+      &GivenMotor::radial_motion, "false"));
+}
+
 bool check_frequency_range(const GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   const YamlNode* node = given.right("frequency_range");
   if (node == nullptr || !motor.frequency_range) return true;
@@ -303,6 +311,7 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
     fields.push_back(branch_field());
     fields.push_back(control_field());
     fields.push_back(frequency_range_field());
+    fields.push_back(radial_motion_field());
   }
   if (path.empty())
     fields.push_back(hidden(
@@ -335,6 +344,7 @@ MotorFile motor_of(const GivenMotor& given) {
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
   blank.stator.control = given.control.value_or(DriveControl::frequency);
+  blank.stator.radial_motion = given.radial_motion.value_or(false);
   if (given.frequency_range)
     blank.stator.frequency_range = {given.frequency_range->front(), given.frequency_range->back()};
   blank.stator.geometry = blank_geometry(given);
@@ -369,6 +379,7 @@ GivenMotor given_by(const MotorFile& motor) {
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   if (motor.design.stator.control != DriveControl::frequency)
     given.control = motor.design.stator.control;
+  if (motor.design.stator.radial_motion) given.radial_motion = true;
   given.operation = motor.design.operation;
   if (motor.design.wear) given.until = motor.design.wear->until;
   if (const auto& range = motor.design.stator.frequency_range)

@@ -332,6 +332,7 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
                        (!row.needs_thermal || has_temperature(design, row.metric)) &&
                        (!row.needs_operation || !design.operation.empty()) &&
                        (!row.needs_wear || design.wear) &&
+                       (row.metric != Metric::radial_motion_ratio || has_radial_shape(design)) &&
                        (!needs_voltage(row.metric) || design.stator.voltage);
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }

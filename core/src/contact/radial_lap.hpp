@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lap.hpp"
+#include "contact/slip_step.hpp"
+
+#include <vector>
+
+namespace twum::contact {
+
+/// A sum of waves c + b theta + k cos theta + s sin theta in the plane: what sticks moves so.
+template <typename S>
+struct PlaneWave {
+  Plane<S> constant, drift, cosine, sine;
+
+  Plane<S> at(const S& theta, const Trig<S>& a) const {
+    return constant + theta * drift + a.cos * cosine + a.sin * sine;
+  }
+  Plane<S> slope(const Trig<S>& a) const { return drift + a.cos * sine - a.sin * cosine; }
+  Plane<S> bend(const Trig<S>& a) const { return S(-1.0) * (a.cos * cosine + a.sin * sine); }
+};
+
+/// A stick zone or a step through a slip zone, for drawing its fields.
+struct RadialPiece {
+  double from, to;
+  ZoneState zone;            ///< slip by the side of its traction along the track
+  PlaneWave<double> strain;  ///< of stick
+  PlaneState<double>
+      start;  ///< of a step: the layer where it begins, and its solution at the points of collocation
+  std::array<double, Collocation::N> angles;
+  std::array<Plane<double>, Collocation::N> rates;
+};
+
+/// The layer of such a lap at a phase, in units of P; its velocity is e' / s in units of V0.
+struct RadialSample {
+  Plane<double> strain, rate, traction;
+};
+RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& numbers,
+                       double theta);
+
+/// run_lap() where the surface also moves radially (R2.1): from contact entry through all zones and free flight to the next
+/// entry. Slip has no closed form: see SlipStep. Means are good to about 1e-8 of mu_0 p.
+/// @param trace  if not null, the pieces are appended to it
+template <typename S>
+Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
+                      std::vector<RadialPiece>* trace = nullptr);
+
+}  // namespace twum::contact
