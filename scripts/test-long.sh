@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package pip lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -179,6 +179,11 @@ step_fuzz() {
 # The Debian package in a clean chroot; as root.
 step_package() {
   scripts/package.sh && python3 tests/package/chroot_test.py build/package
+}
+
+# The wheel, built from nothing.
+step_pip() {
+  /usr/bin/python3 tests/package/pip_test.py
 }
 
 step_lint() {
