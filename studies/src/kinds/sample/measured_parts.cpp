@@ -3,6 +3,7 @@
 
 #include <twum/io/csv.hpp>
 #include <twum/io/number.hpp>
+#include <twum/io/plain_table.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/design_table.hpp>
 
@@ -29,7 +30,8 @@ MeasuredParts::MeasuredParts(const std::string& path, const MotorDesign& base) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) throw InputError("study.parts: " + quoted(path) + " cannot be read");
-  CsvReader reader(path, bytes_of(file.get(), path));
+  CsvReader reader(path,
+                   plain_stream(path, bytes_of(file.get(), path), is_parameter_heading).bytes);
   CsvChunk chunk;
   if (!reader.read(chunk, 1))
     throw InputError(path + ": is empty; expected a heading, and a line for each part");
