@@ -319,9 +319,10 @@ AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
   }
   refuse_file_twice(asked.data, paths);
   require_deviations(tables);
-  std::vector<std::string> notes = copy_notes(tables, asked.data);
+  const std::vector<std::string> titles = file_names(asked.data);
+  std::vector<std::string> notes = copy_notes(tables, titles);
   for (std::size_t k = 0; k < tables.size(); ++k)
-    for (const std::string& note : reading_notes(tables[k], asked.data[k])) notes.push_back(note);
+    for (const std::string& note : reading_notes(tables[k], titles[k])) notes.push_back(note);
   std::vector<MeasuredPoints> all;
   for (ReadTable& one : tables) all.push_back(std::move(one.points));
   MeasuredPoints table = joined(std::move(all));
