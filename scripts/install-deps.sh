@@ -32,7 +32,7 @@ test_packages=(
   # independent checks, in tests and bench only
   libsundials-dev python3-jsonschema
   # the Python module's plots, types and examples
-  python3-matplotlib python3-scipy python3-mypy python3-distributed
+  python3-matplotlib python3-pandas python3-scipy python3-mypy python3-distributed
   # readers of the man page and the completions
   man-db fish zsh
   # the report page in a real browser
