@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The wheel: the Python module and the command, which CMake builds.
 
-    CMAKE_ARGS       more arguments of CMake, such as -DTWUM_WITH_GSL=OFF
-    TWUM_BUILD_DIR   a configured build folder to take module and command from, in place of build/pip
+    CMAKE_ARGS                   more arguments of CMake, such as -DTWUM_WITH_GSL=OFF
+    CMAKE_BUILD_PARALLEL_LEVEL   jobs at a time
+    TWUM_BUILD_DIR               a configured build folder to take module and command from, in place of build/pip
 """
 import functools
 import os
@@ -27,6 +28,12 @@ def version():
     return ".".join(re.findall(r"^#define TWUM_VERSION_(?:MAJOR|MINOR|PATCH) +(\d+)", header, re.M))
 
 
+def jobs():
+    """As many as there are processors. A job may need 2.3 GB: a batch of sources is compiled as one (scripts/lib.sh)."""
+    memory = os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    return max(1, min(os.cpu_count() or 1, memory // 2_300_000_000))
+
+
 @functools.cache
 def built_folder():
     """The build folder, with module and command up to date."""
@@ -35,7 +42,8 @@ def built_folder():
         subprocess.run(["cmake", "--preset", "package", "-S", ROOT, "-B", folder, "-DTWUM_BUILD_PYTHON=ON",
                         f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
                        cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", folder, "--target", "twum", "twum_python"], check=True)
+    subprocess.run(["cmake", "--build", folder, "--target", "twum", "twum_python"], check=True,
+                   env={"CMAKE_BUILD_PARALLEL_LEVEL": str(jobs()), **os.environ})
     return folder
 
 

@@ -158,11 +158,18 @@ class Loads(program.Case):
         own = self.ok("curve", RING, "--points", "12", "--set", "kinetic_friction=0.23", "--format", "csv")
         self.assertIn("'output_power [W]'", self.fitted("".join(own.splitlines(True)[:-1])))
 
+    def test_a_table_without_headings_loses_no_row(self):
+        self.write("bench.csv", "85,0.765\n105,0.74\n125,0.465\n")
+        study = self.write("fit.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: calibrate\n  data: bench.csv\n"
+                           "  columns: {speed: {column: 1, unit: rpm}, torque: {column: 2, unit: N.m}}\n"
+                           "  variables: {kinetic_friction: {min: 0.05, max: 0.5}}\n")
+        self.assertIn("bench.csv:1:1: speed: a number where the headings should be: '85'", self.refused("check", study))
+
     def test_columns_that_are_not_there_or_named_twice_are_refused(self):
         self.write("bench.csv", "n,M\n1,2\n")
         for entry, words in (("{speed: rpm, torque: M}", "no column 'rpm', which 'columns' of the study names; expected one of 'n', 'M'"),
                              ("{speed: 7, torque: M}", "no column 7"), ("{speed: n, torque: 1}", "column 1 has another meaning already"),
-                             ("{sped: n}", "'sped' is nothing that a table may hold"),
+                             ("{speed: 1, torque: 9}", "no column 9"), ("{sped: n}", "'sped' is nothing that a table may hold"),
                              ("{speed: 0.5, torque: M}", "expected the number of a column"),
                              ("{speed: {column: n, sign: up}, torque: M}", "reversed")):
             study = self.write("fit.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: calibrate\n  data: bench.csv\n"

@@ -66,6 +66,16 @@ class Kinds(program.Case):
             self.assertEqual(rows, ["preload [N],amplitude [um],preload [N],status", "120,1.4,120,ok"])
             self.assertIn(f"read as: {kind}\n", said)
 
+    def test_parts_take_the_same_forms(self):
+        self.write("parts.csv", '"preload";"friction.kinetic"\nN;\n150;0,19\n170;0,21\n'.encode("utf-16"))
+        study = self.write("u.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: uncertainty\n  metrics: [holding_torque]\n  samples: 200\n  parts: parts.csv\n")
+        done = twum("run", study, "-o", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("parts.csv is read as: text in UTF-16, columns separated by semicolons, a row of units on line 2, decimal commas", done.stderr + done.stdout.decode())
+        with open(self.folder / "out/results.csv") as rows:
+            drawn = {line.split(",")[0] for line in rows} - {"preload [N]"}
+        self.assertEqual({value.rstrip() for value in drawn}, {"150", "170"})
+
     def test_headings_separated_otherwise_than_the_rows_are_refused(self):
         self.assertIn(":2: columns separated by commas, but the headings by semicolons",
                       self.said('"preload [N]";"amplitude [um]"\n120,1.4\n'))

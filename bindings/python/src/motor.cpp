@@ -88,12 +88,15 @@ std::string shown_as_html(const PyMotor& self) {
   using namespace studies::telling;
   Table table;
   table.heads = {{"parameter"}, {"value"}, {"meaning"}};
-  for (const ParameterInfo& row : parameter_table())
-    if (is_given(self.motor.design(), row.parameter))
-      table.rows.push_back(
-          {{name_part(std::string(row.name))},
-           {value_part(get(self.motor.design(), row.parameter), std::string(row.unit))},
-           {std::string(row.text)}});
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!is_given(self.motor.design(), row.parameter)) continue;
+    const double value = get(self.motor.design(), row.parameter);
+    const bool automatic = row.parameter == Parameter::radial_slices && value == 0;
+    table.rows.push_back(
+        {{name_part(std::string(row.name))},
+         {automatic ? studies::telling::Part("auto") : value_part(value, std::string(row.unit))},
+         {std::string(row.text)}});
+  }
   return html(Phrase{strong(self.name.empty() ? "motor" : self.name)}) + html(table);
 }
 

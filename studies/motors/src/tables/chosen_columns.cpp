@@ -3,6 +3,7 @@
 
 #include "tables/heading.hpp"
 
+#include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
 #include <algorithm>
@@ -62,6 +63,12 @@ void name_chosen_columns(const std::vector<ColumnChoice>& choices,
                       "column " + wanted + " has another meaning already",
                       "name each column once under 'columns' of the study");
       continue;
+    }
+    if (parse_number(column->text)) {
+      diagnostics.add(column->mark, choice.quantity,
+                      "a number where the headings should be: " + quoted(column->text),
+                      "add a line with a heading for each column above the numbers");
+      return;
     }
     const std::string unit = choice.unit.empty() ? unit_of_heading(column->text) : choice.unit;
     column->text = choice.quantity + (unit.empty() ? "" : " [" + unit + "]");

@@ -32,6 +32,7 @@ class ColumnReader {
   std::vector<MeasuredColumn> read(SourceMark begin) {
     for (std::size_t i = 0; i < headings_.size(); ++i) add(headings_[i], parts_[i]);
     check_repeats();
+    check_alternatives();
     if (unknown_) return std::move(columns_);  // the unknown column may be the missing one
     for (MeasuredColumn& column : columns_) {
       if (column.role == ColumnRole::deviation) find_owner(column);
@@ -175,6 +176,18 @@ class ColumnReader {
                           b.mark, "first given here"});
       }
     }
+  }
+
+  // Two parameters of which a motor has one.
+  void check_alternatives() {
+    for (const MeasuredColumn& a : columns_)
+      for (const MeasuredColumn& b : columns_) {
+        const bool both =
+            a.role == ColumnRole::parameter && b.role == ColumnRole::parameter && &b < &a;
+        if (!both || info(a.parameter).alternative != b.parameter) continue;
+        diagnostics_.add({a.mark, a.name, "cannot be set beside " + quoted(b.name),
+                          "leave out one of the two columns", b.mark, "set here"});
+      }
   }
 
   void find_owner(MeasuredColumn& column) {
