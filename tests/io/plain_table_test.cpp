@@ -159,6 +159,16 @@ TEST_CASE("a row of units has a unit for a known column, and no number", "[studi
   CHECK(plain("speed,torque\nrpm,5\n").text == "speed,torque\nrpm,5\n");
 }
 
+TEST_CASE("a word below the rows is left out", "[studies][csv]") {
+  CHECK(plain("BEGIN CH1\nspeed,torque\n1,2\n3,4\nEND\n\n").text ==
+        "\nspeed,torque\n1,2\n3,4\n\n\n");
+  CHECK(plain("BEGIN CH1\nspeed,torque\n1,2\nEND\n").kind ==
+        "headings on line 2, 'END' left out at the end");
+  CHECK(plain("speed,torque\n1,2\n7\n").text == "speed,torque\n1,2\n7\n");  // half a row is no word
+  CHECK(plain("speed,torque\nEND\n").text == "speed,torque\nEND\n");
+  CHECK(plain("speed\n1\nEND\n").text == "speed\n1\nEND\n");
+}
+
 TEST_CASE("commas are decimal ones only where nothing contradicts", "[studies][csv]") {
   CHECK(plain("speed;torque\n1,200;850\n").text == "speed,torque\n\"1,200\",850\n");
   CHECK(plain("speed;torque\n1,200;0,850\n").text == "speed,torque\n1.200,0.850\n");

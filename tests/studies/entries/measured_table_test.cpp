@@ -59,6 +59,15 @@ TEST_CASE("reflections at known loads are their admittances", "[studies][calibra
   CHECK(distance(admittance_read("# HZ S RI R 50", "40000 0 -1"), Complex(0, 0.02)) < 1e-17);
   CHECK(distance(admittance_read("# HZ Y RI R 50", "40000 1 2"), Complex(0.02, 0.04)) < 1e-17);
   CHECK(distance(admittance_read("# HZ Z RI R 1", "40000 0 -25"), Complex(0, 0.04)) < 1e-17);
+  // Version 2 has lines in brackets, and Y and Z in S and ohm.
+  CHECK(
+      distance(
+          admittance_read(
+              "[Version] 2.0\n# HZ S RI R 50\n[Number of Ports] 1\n[Reference] 75\n[Network Data]",
+              "40000 0 0\n[End]"),
+          1 / 75.0) < 1e-17);
+  CHECK(distance(admittance_read("[Version] 2.0\n# HZ Z RI", "40000 0 -25\n[End]"),
+                 Complex(0, 0.04)) < 1e-17);
   // What the line of options leaves out: GHz, S, MA, 50 ohm.
   CHECK(distance(admittance_read("# ghz", "4e-5 0.5 0"), 1 / 150.0) < 1e-17);
 }
@@ -86,10 +95,24 @@ TEST_CASE("analysers' headings are read by the first whole pair", "[studies][cal
   CHECK(table.points[0].value == 1500);
   CHECK(table.points[1].value == Approx(-std::acos(0)).epsilon(1e-15));
   CHECK(table.points[0].set.at(0).second == 40000);
+  CHECK(names_of(read_as("z", "Freq (HZ),Z(OHM),Phase (DEG)\n1,2,3\n")) ==
+        Names{"impedance", "impedance_phase"});
   // Half a pair is none, and headings of ours are not guessed about.
   CHECK_THROWS_WITH(read_as("z", "Freq (Hz),Rs (ohm)\n1,2\n"),
                     Contains("no column with measured values"));
   CHECK(read_as("z", "frequency [Hz],conductance [S],B\n1,2,3\n").unused == Names{"B"});
+}
+
+TEST_CASE("names of measured quantities have any case", "[studies][calibrate]") {
+  const MeasuredPoints table =
+      read_as("t.csv", "Speed (rpm),TORQUE [N.m],Torque_SD [N.m],Preload / N\n60,1,0.1,150\n");
+  CHECK(names_of(table) == std::vector<std::string>{"torque_at"});
+  CHECK(std::get<MetricRequest>(table.points[0].reading).at ==
+        Approx(2 * std::acos(-1)).epsilon(1e-15));
+  CHECK(table.points[0].deviation == 0.1);
+  CHECK(table.points[0].set.at(0).second == 150);
+  // A letter may mean something else in the other case.
+  CHECK(read_as("t.csv", "speed,torque,N\n1,2,3\n").unused == std::vector<std::string>{"N"});
 }
 
 TEST_CASE("a phase without a unit is not guessed", "[studies][calibrate][error]") {

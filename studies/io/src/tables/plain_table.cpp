@@ -88,6 +88,7 @@ class Rewriter {
     if (header_.line >= lines_.size()) return {};
     read_headings();
     take_units();
+    leave_out_end();
     decimal_commas_ = has_decimal_commas();
     if (decimal_commas_) kinds_.emplace_back("decimal commas");
     if (kinds_.empty() && !open_end_) return {};
@@ -163,6 +164,20 @@ class Rewriter {
       if (!units[i].empty() && !heading_forms(headings_[i]).front().has_unit)
         headings_[i] += " [" + units[i] + "]";
     kinds_.push_back("a row of units on line " + std::to_string(at + 1));
+  }
+
+  // A word below the rows, such as END.
+  void leave_out_end() {
+    Cells cells;
+    std::size_t last = lines_.size();
+    while (last > header_.line + 1 && is_remark(lines_[last - 1])) --last;
+    if (headings_.size() < 2 || last <= header_.line + 2) return;
+    const bool words = split_record(lines_[last - 1], cells, header_.separator) &&
+                       cells.size() == 1 && likely_separator(lines_[last - 1]) == kSeparators[0] &&
+                       !is_number(cell_text(cells[0]));
+    if (!words) return;
+    lines_[last - 1] = {};
+    kinds_.push_back(quoted(cell_text(cells[0])) + " left out at the end");
   }
 
   static std::string without_brackets(const std::string& unit) {

@@ -73,6 +73,16 @@ std::vector<Heading> instrument_forms(std::string_view text) {
   return forms;
 }
 
+std::string spelled_unit(std::string_view unit);
+
+// A unit in capital letters between parentheses, which heading_forms() does not know.
+void add_capitals(std::vector<Heading>& forms, std::string_view text) {
+  const std::size_t open = text.rfind('(');
+  if (open == std::string_view::npos || !text.ends_with(')')) return;
+  const std::string_view unit = trimmed(text.substr(open + 1, text.size() - open - 2));
+  if (names_unit(spelled_unit(unit))) forms.push_back({trimmed(text.substr(0, open)), unit, true});
+}
+
 std::string spelled_unit(std::string_view unit) {
   const std::string word = plain_word(unit);
   if (word == "hz" || word == "khz" || word == "mhz")
@@ -83,7 +93,9 @@ std::string spelled_unit(std::string_view unit) {
 }
 
 std::optional<InstrumentHeading> instrument_heading(std::string_view text) {
-  for (const Heading& form : instrument_forms(trimmed(text)))
+  std::vector<Heading> forms = instrument_forms(trimmed(text));
+  add_capitals(forms, trimmed(text));
+  for (const Heading& form : forms)
     for (const Vocabulary& one : vocabulary())
       if (std::ranges::find(one.words, plain_word(form.name)) != one.words.end())
         return InstrumentHeading{one.quantity,

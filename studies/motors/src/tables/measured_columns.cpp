@@ -7,6 +7,7 @@
 #include <twum/io/words.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 namespace twum::motors {
@@ -285,12 +286,42 @@ bool is_reading_heading(std::string_view heading) {
                              [](const Heading& form) { return reading_of(form.name).has_value(); });
 }
 
+namespace {
+
+bool is_measured_name(std::string_view name) {
+  return reading_of(name) || name == "speed" || name == "weight" || parameter_named(name);
+}
+
+std::string in_small_letters(std::string_view name) {
+  std::string small(name);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+// Short names are symbols, of which another case means something else.
+bool is_known_in_small_letters(std::string_view name) {
+  constexpr std::size_t kLongestSymbol = 4;
+  std::string small = in_small_letters(name);
+  if (small.ends_with(kDeviation)) small.resize(small.size() - kDeviation.size());
+  return name.size() > kLongestSymbol && !is_measured_name(name) && is_measured_name(small);
+}
+
+}  // namespace
+
 bool is_measured_heading(std::string_view heading) {
-  return is_reading_heading(heading) ||
-         std::ranges::any_of(heading_forms(heading), [](const Heading& form) {
-           return form.name == "speed" || form.name == "weight" ||
-                  parameter_named(form.name).has_value();
-         });
+  return std::ranges::any_of(heading_forms(heading), [](const Heading& form) {
+    return is_measured_name(form.name) || is_known_in_small_letters(form.name);
+  });
+}
+
+std::string with_usual_case(const std::string& heading) {
+  for (const Heading& form : heading_forms(heading)) {
+    if (!is_known_in_small_letters(form.name)) continue;
+    const std::string unit(form.unit);
+    return in_small_letters(form.name) + (form.has_unit ? " [" + unit + "]" : "");
+  }
+  return heading;
 }
 
 std::vector<std::string> unused(const std::vector<MeasuredColumn>& columns) {

@@ -43,6 +43,9 @@ bool is_measured_heading(std::string_view heading);
 /// True for a heading of a measured quantity: a metric, a torque, or a part of the impedance.
 bool is_reading_heading(std::string_view heading);
 
+/// The heading with the name of a quantity in small letters, where only these are known: "Speed (rpm)" as "speed [rpm]".
+std::string with_usual_case(const std::string& heading);
+
 /// The columns of a table of measurements, in their order; see read_measured_points(). If something is wrong, adds
 /// errors, and the result is not valid.
 std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& headings,

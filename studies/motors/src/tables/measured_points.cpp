@@ -87,6 +87,7 @@ class PointReader {
       headings.push_back({cell_text(cell), mark(record, line, cell)});
     name_chosen_columns(choices_, headings, {static_cast<int>(line), 1}, diagnostics_);
     instrument_ = name_instrument_columns(headings);
+    for (ColumnHeading& heading : headings) heading.text = with_usual_case(heading.text);
     columns_ = measured_columns(headings, {static_cast<int>(line), 1}, diagnostics_);
     for (const MeasuredColumn& column : columns_)
       measured_ += column.role == ColumnRole::measured ? 1 : 0;

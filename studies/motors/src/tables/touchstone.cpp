@@ -24,7 +24,11 @@ struct Options {
   char parameter{'S'};
   std::string form{"MA"};
   double resistance{50};
+  bool second_version{false};
 };
+
+// A line of version 2 such as "[Reference] 50".
+bool is_keyword(std::string_view line) { return trimmed(line).starts_with('['); }
 
 std::vector<std::string> words_of(std::string_view line) {
   std::vector<std::string> words;
@@ -71,10 +75,11 @@ Complex number_of(const Options& options, double a, double b) {
   return std::polar(size, b * std::numbers::pi / 180);
 }
 
-// Of a reflection S the admittance is Y = (1 - S) / (1 + S) / R; Y and Z of the file are in parts of 1/R and R.
+// Of a reflection S the admittance is Y = (1 - S) / (1 + S) / R; in version 1 Y and Z are in parts of 1/R and R.
 Complex admittance_of(const Options& options, Complex value) {
-  if (options.parameter == 'Y') return value / options.resistance;
-  if (options.parameter == 'Z') return 1.0 / (value * options.resistance);
+  const double unit = options.second_version ? 1 : options.resistance;
+  if (options.parameter == 'Y') return value / unit;
+  if (options.parameter == 'Z') return 1.0 / (value * unit);
   return (1.0 - value) / (1.0 + value) / options.resistance;
 }
 
@@ -86,8 +91,11 @@ class TouchstoneReader {
     for (int number = 1; !source_.line(number).empty() || number <= kMostRemarks; ++number) {
       const std::string_view line = source_.line(number);
       if (trimmed(line).empty() || trimmed(line).starts_with('!')) continue;
-      const auto options = options_of(line);
+      second_version_ = second_version_ || is_keyword(line);
+      if (is_keyword(line)) continue;
+      auto options = options_of(line);
       if (!options) return {};
+      options->second_version = second_version_;
       return table(*options, number);
     }
     return {};
@@ -96,13 +104,16 @@ class TouchstoneReader {
  private:
   static constexpr int kMostRemarks = 200;  // lines above the options
 
-  MeasuredTable table(const Options& options, int header) {
+  MeasuredTable table(Options options, int header) {
     std::string text(static_cast<std::size_t>(header - 1), '\n');
     text += "frequency [Hz],conductance [S],susceptance [S]\n";
     const auto lines = static_cast<int>(std::ranges::count(source_.text(), '\n')) + 1;
     for (int number = header + 1; number <= lines; ++number) {
       const std::vector<std::string> words = words_of(source_.line(number));
-      if (!words.empty()) add_row(options, words, number, text);
+      const bool keyword = is_keyword(source_.line(number));
+      if (keyword && words.front() == "[REFERENCE]" && words.size() > 1)
+        options.resistance = parse_number(words[1]).value_or(options.resistance);
+      if (!words.empty() && !keyword) add_row(options, words, number, text);
       text += '\n';
     }
     diagnostics_.throw_if_any();
@@ -140,6 +151,7 @@ class TouchstoneReader {
 
   const Source& source_;
   Diagnostics diagnostics_;
+  bool second_version_{false};
 };
 
 }  // namespace
