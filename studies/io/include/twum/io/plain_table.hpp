@@ -32,7 +32,7 @@ PlainTable plain_table(const std::string& name, std::string content, const Known
 
 /// A stream of bytes, and what it was.
 struct PlainStream {
-  CsvReader::Bytes bytes;
+  CsvReader::Bytes bytes;  ///< of plain CSV
   std::string kind;  ///< as of PlainTable
 };
 

@@ -15,7 +15,7 @@ struct ColumnChoice {
   std::string unit{};     ///< of its cells; empty: that of the heading
   bool reversed{false};   ///< values count with the other sign
 
-  friend bool operator==(const ColumnChoice&, const ColumnChoice&) = default;
+  friend bool operator==(const ColumnChoice&, const ColumnChoice&) = default;  ///< all equal
 };
 
 }  // namespace twum::motors
