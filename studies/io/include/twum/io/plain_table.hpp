@@ -33,7 +33,7 @@ PlainTable plain_table(const std::string& name, std::string content, const Known
 /// A stream of bytes, and what it was.
 struct PlainStream {
   CsvReader::Bytes bytes;  ///< of plain CSV
-  std::string kind;  ///< as of PlainTable
+  std::string kind;        ///< as of PlainTable
 };
 
 /// The same of a stream, whose beginning is read at once. A plain table is passed on as it comes; another one is read as a whole.
