@@ -29,6 +29,8 @@ ReadTable table_of(const std::string& path, const std::vector<ColumnChoice>& col
   } catch (const FileError&) {
     throw;
   } catch (const InputError& error) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) throw;
     throw InputError(std::string(error.what()) +
                      "; expected a table of measured points with columns such as "
                      "'speed [rpm],torque [N.m]'; its path starts in the folder of the study");
