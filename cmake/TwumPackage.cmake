@@ -87,11 +87,15 @@ function(twum_install_package)
   if(TWUM_WITH_GSL)
     list(APPEND solvers gsl)
   endif()
+  set(mpi "")
+  if(TWUM_WITH_MPI)
+    set(mpi mpi-c)
+  endif()
   twum_pkg_config(twum-core DESCRIPTION "Travelling wave ultrasonic motors: the physics of one motor (C++20)"
     LIBRARY "-ltwum_core -ltwum_stator -ltwum_base" PRIVATE_LIBS -pthread)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"
     LIBRARY "-ltwum_optim -ltwum_base" PRIVATE_REQUIRES ${solvers} PRIVATE_LIBS -pthread)
   twum_pkg_config(twum DESCRIPTION "Design of travelling wave ultrasonic motors: motors, files, studies (C++20)"
     LIBRARY "-ltwum_studies -ltwum_motors -ltwum_io" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
-    PRIVATE_REQUIRES yaml-cpp udunits sqlite3 PRIVATE_LIBS -pthread)
+    PRIVATE_REQUIRES ${mpi} yaml-cpp udunits sqlite3 PRIVATE_LIBS -pthread)
 endfunction()

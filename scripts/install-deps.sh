@@ -5,8 +5,7 @@
 #   scripts/install-deps.sh          to build twum and run it
 #   scripts/install-deps.sh test     the same and what scripts/test.sh needs
 #   scripts/install-deps.sh long     the same and what scripts/test-long.sh needs
-#   scripts/install-deps.sh mpi      what a build with TWUM_WITH_MPI=ON needs besides
-#   scripts/install-deps.sh --list [test|long|mpi]   prints the packages instead
+#   scripts/install-deps.sh --list [test|long]   prints the packages instead
 #
 # Runs as root, or through sudo. Says nothing when everything is there.
 set -euo pipefail
@@ -18,8 +17,10 @@ build_packages=(
   # linked into twum
   libeigen3-dev libspectra-dev libgsl-dev libnlopt-dev libnlopt-cxx-dev coinor-libipopt-dev libyaml-cpp-dev
   libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev
+  # several processes
+  libopenmpi-dev openmpi-bin
   # the Python module
-  pybind11-dev python3-dev python3-numpy
+  pybind11-dev python3-dev python3-numpy python3-setuptools python3-wheel python3-venv
   # the core for pages
   clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
   # started by twum for plots
@@ -32,7 +33,7 @@ test_packages=(
   # independent checks, in tests and bench only
   libsundials-dev python3-jsonschema
   # the Python module's plots, types and examples
-  python3-matplotlib python3-scipy python3-mypy python3-distributed
+  python3-matplotlib python3-pandas python3-scipy python3-mypy python3-distributed
   # readers of the man page and the completions
   man-db fish zsh
   # the report page in a real browser
@@ -45,10 +46,11 @@ long_packages=(
   libpagmo-dev debootstrap valgrind gcovr libclang-rt-14-dev clang-format-14 clang-tidy-14
   # checks the scripts of the report page
   node-typescript
+  # a cluster of one node
+  slurm-wlm munge
   # the stator as a solid, in tests
   calculix-ccx
 )
-mpi_packages=(libopenmpi-dev openmpi-bin)
 
 list_only=false
 if [[ ${1:-} == --list ]]; then
@@ -59,9 +61,8 @@ case ${1:-build} in
   build) packages=("${build_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   long) packages=("${build_packages[@]}" "${test_packages[@]}" "${long_packages[@]}") ;;
-  mpi) packages=("${build_packages[@]}" "${mpi_packages[@]}") ;;
   *)
-    echo "install-deps.sh: unknown argument '$1'; use nothing, 'test', 'long' or 'mpi'" >&2
+    echo "install-deps.sh: unknown argument '$1'; use nothing, 'test' or 'long'" >&2
     exit 2
     ;;
 esac

@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi slurm shared asan tsan valgrind coverage clang fuzz package pip lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -56,9 +56,9 @@ step_openturns() {
   build ci && /usr/bin/python3 tests/cli/openturns_oracle.py build/ci/bin/twum
 }
 
-# A build that may be passed on.
+# A build that may be passed on, for one process.
 step_no-ipopt() {
-  configure ci -B build/no-ipopt -DTWUM_WITH_IPOPT=OFF && cmake --build build/no-ipopt -j "$(jobs)" &&
+  configure ci -B build/no-ipopt -DTWUM_WITH_IPOPT=OFF -DTWUM_WITH_MPI=OFF && cmake --build build/no-ipopt -j "$(jobs)" &&
     ! ldd build/no-ipopt/bin/twum | grep -i ipopt && all_tests build/no-ipopt
 }
 
@@ -69,11 +69,14 @@ step_no-gsl() {
 
 # Several processes give the bytes of one: each example study, and a few of them with a process killed at 20 random moments.
 step_mpi() {
-  scripts/install-deps.sh mpi && configure ci -B build/mpi -DTWUM_WITH_MPI=ON -DTWUM_BUILD_PYTHON=OFF &&
-    cmake --build build/mpi --target twum -j "$(jobs)" && all_tests build/mpi -L cli &&
-    python3 tests/cli/mpi_study.py build/mpi/bin/twum examples/studies/*.yaml &&
-    python3 tests/cli/kill_study.py build/mpi/bin/twum --processes 3 --jobs 1 --count 20 \
+  build ci && python3 tests/cli/mpi_study.py build/ci/bin/twum examples/studies/*.yaml &&
+    python3 tests/cli/kill_study.py build/ci/bin/twum --processes 3 --jobs 1 --count 20 \
       examples/studies/{calibrate,optimize-ring-60-ipopt,pareto-driven,sensitivity-sobol,tolerances-driven}.yaml
+}
+
+# The script of the examples in a Slurm of one node; as root.
+step_slurm() {
+  build ci && python3 tests/cli/slurm_test.py build/ci/bin/twum
 }
 
 # Libraries, program, Python module and other people's programs with shared libraries.
@@ -179,6 +182,11 @@ step_fuzz() {
 # The Debian package in a clean chroot; as root.
 step_package() {
   scripts/package.sh && python3 tests/package/chroot_test.py build/package
+}
+
+# The wheel, built from nothing.
+step_pip() {
+  /usr/bin/python3 tests/package/pip_test.py
 }
 
 step_lint() {

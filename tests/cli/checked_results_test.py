@@ -114,32 +114,6 @@ class Links(Results):
         self.assertFalse((folder / "summary.json").is_symlink())
 
 
-class OutsideFiles(Results):
-    def test_data_that_changed_since_are_refused_by_name(self):
-        data = self.write("points.csv", "speed [rpm],torque [N.m]\n85,0.765\n105,0.740\n125,0.465\n132,0.255\n")
-        study = self.write("fit.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: calibrate\n  data: points.csv\n  starts: 1\n"
-                                       "  variables: {kinetic_friction: {min: 0.05, max: 0.5}}\n")
-        folder = self.folder / "out"
-        self.assertIn(twum("run", study, "-o", folder).returncode, (0, 1))
-        page = (folder / "report.html").read_bytes()
-        data.write_text(data.read_text().replace("0.740", "0.640"))
-        for command in ("report", "plot", "verify"):
-            self.assertIn("points.csv: has changed", self.refused(command, folder))
-        self.assertEqual((folder / "report.html").read_bytes(), page)
-
-    def test_a_set_that_changed_since_is_refused_by_name(self):
-        lining = self.write("lining.yaml", "twum: 1\ncontact_layer: {youngs_modulus: 3.6 GPa}\n")
-        self.write("other.yaml", "twum: 1\ncontact_layer: {youngs_modulus: 1 GPa}\n")
-        study = self.write("choose.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: optimize\n"
-                                          "  choose: {lining: [lining.yaml, other.yaml]}\n  variables: {preload: {min: 60 N, max: 300 N}}\n"
-                                          "  maximize: peak_power\n  solver: {starts: 1, scan: 0}\n")
-        folder = self.folder / "out"
-        self.ok("run", study, "-o", folder)
-        lining.write_text(lining.read_text().replace("3.6", "9"))
-        for command in ("report", "plot", "verify"):
-            self.assertIn("lining.yaml: has changed", self.refused(command, folder))
-
-
 class Motors(Results):
     def test_a_motor_file_keeps_what_one_slice_does_not_use(self):
         """Taper and shape come into use with more slices, as the note on one slice advises."""

@@ -47,7 +47,7 @@ class Check(program.Case):
         done = program.twum("check", study)
         self.assertEqual(done.returncode, 0)
         self.assertIn("points.csv: does not exist yet", done.stderr)
-        self.assertIn("expected a CSV file of measured points", self.refused("run", study, "-o", self.folder / "fit"))
+        self.assertIn("expected a table of measured points", self.refused("run", study, "-o", self.folder / "fit"))
         self.write("points.csv", "speed,torqe\n1,2\n")
         self.assertIn("did you mean 'torque'?", self.refused("check", study))
         self.write("points.csv", "speed,torque\n1,0.8\n2,0.8\n")

@@ -3,6 +3,7 @@
 #include "fuzz/targets.hpp"
 #include "tables/measured_points.hpp"
 
+#include <twum/io/plain_table.hpp>
 #include <twum/motors/design_table.hpp>
 #include <twum/motors/motor_file.hpp>
 
@@ -64,7 +65,9 @@ void expect_columns_in_step(std::string_view record, std::size_t line, const Des
 }
 
 void evaluate_rows(std::string_view text) {
-  CsvReader reader("table.csv", bytes_of(text, text.size()));
+  CsvReader reader(
+      "table.csv",
+      plain_stream("table.csv", bytes_of(text, text.size()), is_parameter_heading).bytes);
   CsvChunk chunk;
   if (!reader.read(chunk, 1)) return;
   const DesignTable table(reader, chunk, base_motor(),

@@ -46,6 +46,7 @@ FOLDER_OF_HEADER = {
     "twum/io/value_shape.hpp": "schema",
     "twum/io/yaml_loader.hpp": "yaml",
     "twum/io/yaml_node.hpp": "yaml",
+    "twum/motors/column_choice.hpp": "tables",
     "twum/studies/estimate.hpp": "statistics",
     "twum/studies/extent.hpp": "statistics",
     "twum/studies/study.hpp": "entries",

@@ -107,10 +107,6 @@ TEST_CASE("a wrong header is refused with all that is wrong", "[studies][tables]
                     "t.csv:1: column 'h': the parameter is given twice; leave one of them out");
   CHECK_THROWS_WITH(result_of("id,colour\n", "preload"),
                     Catch::StartsWith("t.csv:1: no column is a parameter; name"));
-  CHECK_THROWS_WITH(result_of("thickness;preload\n", "preload"),
-                    "t.csv:1: columns separated by semicolons; separate them with commas");
-  CHECK_THROWS_WITH(result_of("preload [N];amplitude [um]\n", "preload"),
-                    "t.csv:1: columns separated by semicolons; separate them with commas");
   CHECK_THROWS_WITH(result_of("\"thickness\" x,preload\n", "preload"),
                     Catch::Contains("quotation mark"));
 }

@@ -63,6 +63,22 @@ const Good kGood[] = {
     {"40000 1/s", "Hz", 40000},
     {"120 1/min", "Hz", 2},
     {"1 N.m.rad/s", "W", 1},  // torque times angular speed is a power
+    // As people and instruments type them.
+    {"45 N\xE2\x8B\x85s/m", "N.s/m", 45},
+    {"45 N\xC2\xB7s\xC2\xB7m\xE2\x81\xBB\xC2\xB9", "N.s/m", 45},
+    {"45 N\xE3\x83\xBBs/m", "N.s/m", 45},
+    {"5 kg/m\xC2\xB3", "kg/m^3", 5},
+    {"5 W/(m\xC2\xB7K)", "W/(m.K)", 5},
+    {"3 \xCE\xA9", "ohm", 3},
+    {"3 \xE2\x84\xA6", "ohm", 3},
+    {"3 k\xCE\xA9", "ohm", 3000},
+    {"3 kOhm", "ohm", 3000},
+    {"60 r/min", "rad/s", 2 * std::numbers::pi},
+    {"5 Ncm", "N.m", 0.05},
+    {"5 Nmm", "N.m", 0.005},
+    {"120 Vrms", "V", 120},
+    {"120 V_rms", "V", 120},
+    {"12 mArms", "A", 0.012},
 };
 
 struct Bad {
@@ -122,6 +138,17 @@ const Bad kBad[] = {
     {"3 m^999", "m", "'3 m^999': 'm^999' is not a unit; expected a length [m] such as 'x'"},
     {"3 m^", "m", "'3 m^': unknown unit 'm^'; expected a length [m] such as 'x'"},
     {"3 (m", "m", "'3 (m': unknown unit '(m'; expected a length [m] such as 'x'"},
+    {"10 Vpp", "V",  // of a sine: 10 / (2 sqrt(2))
+     "'10 Vpp' is a peak value, but voltages and currents are rms; of a sine write '3.536 V'"},
+    {"10 Vp", "V",
+     "'10 Vp' is a peak value, but voltages and currents are rms; of a sine write '7.071 V'"},
+    {"10 mApk-pk", "A",
+     "'10 mApk-pk' is a peak value, but voltages and currents are rms; of a sine write '3.536 mA'"},
+    {"10 Vpp", "m", "'10 Vpp': unknown unit 'Vpp'; expected a length [m] such as 'x'"},
+    {"5 W/m\xC2\xB7K", "m",
+     "'5 W/m\xC2\xB7K': 'W/m\xC2\xB7K' is ambiguous; put parentheses around the denominator; "
+     "expected "
+     "a length [m] such as 'x'"},
     {"20 degC", "K",
      "'20 degC' is an absolute temperature; expected a difference of temperatures in K such as '40 "
      "K'"},

@@ -4,10 +4,14 @@
 #include "conversions.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
+#include "tables/parameter_heading.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
 #include <twum/core/batch.hpp>
+#include <twum/io/number.hpp>
+#include <twum/io/units.hpp>
+#include <twum/io/words.hpp>
 #include <twum/motors/settings.hpp>
 
 #include <algorithm>
@@ -23,6 +27,7 @@ namespace {
 struct ParameterColumn {
   Parameter parameter;
   Array values;
+  bool single{false};
 };
 
 struct Designs {
@@ -56,38 +61,96 @@ void refuse_alternatives_together(const std::vector<ParameterColumn>& columns,
   }
 }
 
-// A dictionary, or another mapping such as a DataFrame, whose columns are then parameters.
-py::dict to_dict(const py::object& mapping) {
-  if (py::isinstance<py::dict>(mapping)) return mapping;
-  if (!py::hasattr(mapping, "keys") || !py::hasattr(mapping, "__getitem__"))
+// A column of a mapping that may hold others: a parameter by a heading such as "amplitude [um]", or nothing.
+struct NamedColumn {
+  Parameter parameter;
+  std::optional<studies::Scale> scale;  // of a heading with a unit; nothing: SI
+};
+
+std::optional<NamedColumn> named_column(const std::string& heading) {
+  for (const studies::Heading& form : studies::heading_forms(heading)) {
+    const auto parameter = studies::parameter_named(form.name);
+    if (!parameter) continue;
+    const ParameterInfo& row = info(*parameter);
+    if (studies::is_bare_letter(form))
+      throw InputError("column " + studies::quoted(heading) + ": " +
+                       studies::bare_letter_words(form.name, row) + "; " +
+                       studies::bare_letter_advice(row));
+    if (!form.has_unit) return NamedColumn{*parameter, {}};
+    return NamedColumn{*parameter,
+                       studies::parse_unit(form.unit, {row.unit, row.example, row.absolute})};
+  }
+  return {};
+}
+
+// Numbers in the unit of a heading; texts carry their own.
+Array scaled_values(const NamedColumn& column, const py::handle& value) {
+  const std::string name(info(column.parameter).name);
+  return to_numbers(name, value, [&](py::handle entry) {
+    const auto number = number_of(entry);
+    if (!number) return to_parameter_value(column.parameter, entry);
+    return column.scale->read(studies::number_text(*number)).value_or(kNoValue);
+  });
+}
+
+void warn_of_unused(const std::vector<std::string>& headings) {
+  if (headings.empty()) return;
+  std::string text = "designs: columns that are no parameters and are not used: ";
+  for (const std::string& heading : headings)
+    text += (&heading == headings.data() ? "" : ", ") + studies::quoted(heading);
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+// A list of objects, so that each entry is read in the unit of its heading.
+py::object listed(const py::handle& values) {
+  return py::hasattr(values, "tolist") ? py::object(values.attr("tolist")())
+                                       : py::reinterpret_borrow<py::object>(values);
+}
+
+// The columns of a DataFrame or another mapping that are parameters. A dictionary has no others.
+std::vector<ParameterColumn> parameter_columns(const py::object& mapping) {
+  const bool dictionary = py::isinstance<py::dict>(mapping);
+  if (!dictionary && (!py::hasattr(mapping, "keys") || !py::hasattr(mapping, "__getitem__")))
     throw py::type_error(
         "designs: expected a mapping of parameters to values, such as a dictionary or a "
         "DataFrame, not " +
         py::cast<std::string>(py::type::of(mapping).attr("__name__")));
-  py::dict entries;
+  std::vector<ParameterColumn> columns;
+  std::vector<std::string> unused;
   for (const py::handle key : mapping.attr("keys")()) {
-    const std::string name = to_text("name of a parameter", key);
-    if (const auto letter = name.size() == 1 ? find_parameter(name) : std::nullopt)
-      throw InputError("column '" + name + "': a letter alone does not say whether " +
-                       std::string(info(*letter).name) +
-                       " is meant; name the column so, or drop it");
-    entries[key] = mapping[key];
+    const std::string name = dictionary || PyUnicode_Check(key.ptr())
+                                 ? to_text("name of a parameter", key)
+                                 : py::cast<std::string>(py::str(key));
+    const py::object value = mapping[key];
+    // dict(frame) has columns of the frame, among which a letter may number the rows.
+    const bool by_table = !dictionary || (name.size() == 1 && py::hasattr(value, "iloc"));
+    const auto named =
+        by_table ? named_column(name) : NamedColumn{studies::parse_parameter(name), {}};
+    if (!named)
+      unused.push_back(name);
+    else
+      columns.push_back({named->parameter,
+                         named->scale ? scaled_values(*named, listed(value))
+                                      : column_values(named->parameter, value),
+                         is_single(value)});
   }
-  return entries;
+  if (columns.empty() && !unused.empty())
+    throw InputError(
+        "designs: no column is a parameter; name columns like 'preload [N]', or as "
+        "parameter_table() lists them");
+  warn_of_unused(unused);
+  return columns;
 }
 
 Designs to_designs(const py::object& given) {
-  const py::dict arguments = to_dict(given);
   Designs designs;
   bool counted = false;
-  for (const auto& [key, value] : arguments) {
-    const Parameter parameter = studies::parse_parameter(to_text("name of a parameter", key));
-    ParameterColumn column{parameter, column_values(parameter, value)};
+  for (ParameterColumn& column : parameter_columns(given)) {
     refuse_alternatives_together(designs.columns, column);
-    const bool single = is_single(value);
+    const bool single = column.single;
     const auto size = static_cast<std::size_t>(column.values.size());
     if (!single && counted && size != designs.rows)
-      throw InputError(std::string(info(parameter).name) + ": " + std::to_string(size) +
+      throw InputError(std::string(info(column.parameter).name) + ": " + std::to_string(size) +
                        " values, but another parameter has " + std::to_string(designs.rows));
     if (!single) designs.rows = size;
     counted = counted || !single;
@@ -285,10 +348,12 @@ void add_batch(py::module_& module) {
              py::arg("progress") = py::none(),
              "evaluate(motor, designs, metrics, *, jobs=0, stop=None, progress=None)\n--\n\n"
              "Metrics of many designs, on all processors unless `jobs` says otherwise.\n\n"
-             "`designs` maps names of parameters (a dictionary, a DataFrame) to arrays in SI "
-             "units, all of one length, or to "
+             "`designs` maps names of parameters to arrays in SI units, all of one length, or to "
              "single values,\n"
-             "which may have a unit; the rest is the motor's. The answer maps each metric to an "
+             "which may have a unit; the rest is the motor's. A DataFrame may have headings with "
+             "units, such as\n"
+             "'amplitude [um]', and other columns, of which a warning tells. The answer maps each "
+             "metric to an "
              "array, and 'status'\n"
              "to 'ok' or why a design has no full answer: its metrics are NaN then. The numbers do "
              "not depend on\n"

@@ -4,6 +4,7 @@
 #include "conversions.hpp"
 #include "motor_answers.hpp"
 #include "parts.hpp"
+#include "telling/renderers.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/io/engineering.hpp>
@@ -82,6 +83,23 @@ std::string representation(const PyMotor& self) {
   return text + ">";
 }
 
+// What is given of the motor, as a cell of a notebook shows it.
+std::string shown_as_html(const PyMotor& self) {
+  using namespace studies::telling;
+  Table table;
+  table.heads = {{"parameter"}, {"value"}, {"meaning"}};
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!is_given(self.motor.design(), row.parameter)) continue;
+    const double value = get(self.motor.design(), row.parameter);
+    const bool automatic = row.parameter == Parameter::radial_slices && value == 0;
+    table.rows.push_back(
+        {{name_part(std::string(row.name))},
+         {automatic ? studies::telling::Part("auto") : value_part(value, std::string(row.unit))},
+         {std::string(row.text)}});
+  }
+  return html(Phrase{strong(self.name.empty() ? "motor" : self.name)}) + html(table);
+}
+
 // "Young's modulus of the contact layer, E [Pa], such as '3 GPa'."
 std::string parameter_doc(const ParameterInfo& row) {
   std::string doc(row.text);
@@ -133,6 +151,8 @@ void add_making(Class& motor) {
             "speed or a torque; by default that of the largest\noverall efficiency, or of the "
             "largest output power if the motor has no modal data.");
   motor.def("__repr__", &representation);
+  motor.def("_repr_html_", &shown_as_html,
+            "_repr_html_(self)\n--\n\nIts parameters as a table, for notebooks.");
   motor.def(
       "__eq__",
       [](const PyMotor& self, const PyMotor& other) {

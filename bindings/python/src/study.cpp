@@ -5,7 +5,9 @@
 #include "interruptible.hpp"
 #include "parts.hpp"
 #include "results/answers.hpp"
+#include "stored/stored_study.hpp"
 #include "study_node.hpp"
+#include "telling/renderers.hpp"
 #include "yaml/yaml_text.hpp"
 
 #include <twum/motors/settings.hpp>
@@ -101,7 +103,14 @@ py::tuple run(const studies::StudyFile& file, const RunArguments& how) {
   const py::object table =
       result.rows == nullptr ? py::object(py::none()) : py::str(studies::results_csv(result));
   return py::make_tuple(to_python(studies::summary_value(result)), studies::summary_text(result),
-                        table);
+                        table, studies::telling::summary_html(result, {&file, result.rows.get()}));
+}
+
+// The answer of a result directory as HTML.
+std::string kept_html(const std::string& directory) {
+  const py::gil_scoped_release released;
+  studies::StoredStudy stored(directory, {});
+  return studies::telling::summary_html(stored.answer(), {&stored.file(), &stored.store()});
 }
 
 py::tuple run_file(const std::string& path, const std::string& directory,
@@ -121,11 +130,21 @@ std::string study_text(const py::dict& study, const py::object& motor) {
          yaml_text(to_node(rest, studies::study_file_schema()), 0);
 }
 
+studies::StudyFile read_entries(const py::dict& study, const py::object& motor,
+                                const std::vector<std::string>& settings) {
+  const studies::Source source("study", study_text(study, motor));
+  return studies::read_study(source, {}, settings);
+}
+
+void check_entries(const py::dict& study, const py::object& motor,
+                   const std::vector<std::string>& settings) {
+  studies::validate(read_entries(study, motor, settings));
+}
+
 py::tuple run_entries(const py::dict& study, const py::object& motor, const std::string& directory,
                       const std::vector<std::string>& settings, unsigned jobs, bool fresh,
                       const py::object& progress, const py::object& stop) {
-  const studies::Source source("study", study_text(study, motor));
-  return run(studies::read_study(source, {}, settings), {directory, jobs, fresh, progress, stop});
+  return run(read_entries(study, motor, settings), {directory, jobs, fresh, progress, stop});
 }
 
 }  // namespace
@@ -136,7 +155,16 @@ void add_study(py::module_& module) {
       py::arg("jobs"), py::arg("fresh"), py::arg("progress"), py::arg("stop"),
       "run_file(path, directory, settings, jobs, fresh, progress, stop)\n--\n\nRuns a study "
       "file. Its results are kept in a directory, or, if that is empty, in memory: the content "
-      "of summary.json, the words for it, and the table of a run in memory.");
+      "of summary.json, the words for it, the table of a run in memory, and the words as HTML.");
+  module.def("kept_html", &kept_html, py::arg("directory"),
+             "kept_html(directory)\n--\n\nThe answer of a result directory as HTML.");
+  module.def("study_text", &study_text, py::arg("study"), py::arg("motor"),
+             "study_text(study, motor)\n--\n\nThe text of a study file with the entries of a "
+             "dictionary, of a Motor if `motor` is one.");
+  module.def(
+      "check_entries", &check_entries, py::arg("study"), py::arg("motor"), py::arg("settings"),
+      "check_entries(study, motor, settings)\n--\n\nReads a study given as a dictionary without "
+      "running it; an error says everything that is wrong.");
   module.def("run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("directory"),
              py::arg("settings"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
              py::arg("stop"),

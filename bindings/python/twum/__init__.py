@@ -40,7 +40,7 @@ except ModuleNotFoundError as error:
     from ._missing import how_to_build
 
     raise ImportError(how_to_build()) from None
-from .results import Curve, Derivatives, Fields, Optimum, StudyResult, read_result, run
+from .results import Curve, Derivatives, Fields, Optimum, Study, StudyResult, read_result, run
 
 __all__ = [
     "Curve",
@@ -56,6 +56,7 @@ __all__ = [
     "OperatingPoint",
     "Optimum",
     "StoreError",
+    "Study",
     "StudyResult",
     "__version__",
     "engineering",

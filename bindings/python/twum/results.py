@@ -8,7 +8,8 @@ import json
 import numbers
 import os
 import pathlib
-from dataclasses import dataclass, field
+import sys
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence, TypedDict
 
 import numpy as np
@@ -55,6 +56,11 @@ class Curve:
     def squeals(self) -> list[bool | None]:
         """Whether the motor squeals at each speed; None where that is not known. Computed anew at each access."""
         return self.motor._squeals(self.speed)
+
+    def to_frame(self) -> Any:
+        """The arrays as a DataFrame of pandas, a row for each speed."""
+        arrays = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "motor"}
+        return _frame({name: values for name, values in arrays.items() if values is not None})
 
     def plot(self, axes: Axes | None = None) -> Axes:
         """Torque and output power over speed, with matplotlib; returns its axes."""
@@ -203,6 +209,7 @@ class StudyResult:
     rows: dict[str, NDArray[Any]] = field(repr=False)  # arrays by column name; 'status' holds texts
     text: str = field(repr=False, default="")  # the summary in words
     directory: "str | None" = None  # where the result is kept, if it is
+    html: str = field(repr=False, default="")  # the same as `text` for notebooks
 
     @property
     def outcome(self) -> str:
@@ -210,6 +217,21 @@ class StudyResult:
 
     def __getitem__(self, name: str) -> Any:
         return self.summary[name]
+
+    def to_frame(self) -> Any:
+        """The evaluations as a DataFrame of pandas, columns in SI units."""
+        return _frame(self.rows)
+
+    def _repr_html_(self) -> str:
+        if self.html or self.directory is None:
+            return self.html
+        return _twum.kept_html(self.directory)
+
+
+def _frame(columns: Mapping[str, Any]) -> Any:
+    import pandas  # type: ignore[import]
+
+    return pandas.DataFrame(dict(columns))
 
 
 def _column(texts: Sequence[str]) -> NDArray[Any]:
@@ -269,14 +291,14 @@ def _entries(study: Mapping[str, Any], motor: Any) -> dict[str, Any]:
 
 
 def run(
-    study: str | os.PathLike[str] | Mapping[str, Any],
+    study: str | os.PathLike[str] | Mapping[str, Any] | Study,
     directory: str | os.PathLike[str] | None = None,
     *,
     motor: Any = None,
     set: Mapping[str, Any] | None = None,
     jobs: int = 0,
     fresh: bool = False,
-    progress: Callable[[int, int, str], None] | None = None,
+    progress: Callable[[int, int, str], None] | bool | None = None,
     stop: Any = None,
 ) -> StudyResult:
     """Runs a study: a file, or a dictionary of its entries with `motor` a Motor or a path.
@@ -284,16 +306,70 @@ def run(
     Numbers in a dictionary are in SI units, texts carry their unit; its paths are relative to the current folder.
     With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew. Without one it is
     kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
-    known) and the best so far. Ctrl-C ends the run; `stop`, such as a threading.Event, ends it with the outcome
+    known) and the best so far; True shows them in the notebook or on the terminal. Ctrl-C ends the run; `stop`, such as a threading.Event, ends it with the outcome
     'interrupted' and the rows so far. FileError says everything that is wrong.
     """
     folder = "" if directory is None else os.fspath(directory)
-    how = (folder, _settings(set or {}), jobs, fresh, progress, stop)
+    shown = ProgressLine() if progress is True else progress or None
+    how = (folder, _settings(set or {}), jobs, fresh, shown, stop)
+    if isinstance(study, Study):
+        study, motor = study.entries, study.motor if motor is None else motor
     if isinstance(study, Mapping):
-        summary, text, table = _twum.run_entries(_entries(study, motor), motor, *how)
+        summary, text, table, html = _twum.run_entries(_entries(study, motor), motor, *how)
     elif motor is not None:
         raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
     else:
-        summary, text, table = _twum.run_file(os.fspath(study), *how)
+        summary, text, table, html = _twum.run_file(os.fspath(study), *how)
     rows = _kept_rows(pathlib.Path(folder)) if table is None else _rows(table)
-    return StudyResult(summary, rows, text, None if directory is None else folder)
+    return StudyResult(summary, rows, text, None if directory is None else folder, html)
+
+
+class ProgressLine:
+    """Shows the progress of a run in one place: under IPython as a display that is replaced, elsewhere on standard error."""
+
+    def __init__(self) -> None:
+        self._display: Any = None
+
+    def __call__(self, done: int, total: int, best: str) -> None:
+        words = f"{done} of {total} evaluations" if total else f"{done} evaluations"
+        self._show(f"{words}, best {best}" if best else words)
+
+    def _show(self, words: str) -> None:
+        shell = sys.modules.get("IPython")
+        if shell is None or shell.get_ipython() is None:
+            print(f"\r{words:<78}", end="", file=sys.stderr, flush=True)
+        elif self._display is None:
+            self._display = shell.display.display(words, display_id=True)
+        else:
+            self._display.update(words)
+
+
+class Study:
+    """A question about a motor, made of a dictionary with the entries of a study file.
+
+        study = twum.Study({"kind": "sweep", ...}, motor="ring-60.yaml")
+        study.check()
+        study.run("results/sweep").to_frame()
+
+    Numbers are in SI units, texts carry their unit. `motor` is a Motor or the path of a motor file.
+    """
+
+    def __init__(self, entries: Mapping[str, Any], motor: Any = None) -> None:
+        self.entries: dict[str, Any] = dict(entries)
+        self.motor: Any = motor
+
+    def __repr__(self) -> str:
+        asked = self.entries.get("study", self.entries)
+        return f"<twum.Study {asked.get('kind')!r} of {self.motor!r}>"
+
+    def text(self) -> str:
+        """The text of a study file with these entries."""
+        return str(_twum.study_text(_entries(self.entries, self.motor), self.motor))
+
+    def check(self, *, set: Mapping[str, Any] | None = None) -> None:
+        """Reads the study without running it; FileError says everything that is wrong."""
+        _twum.check_entries(_entries(self.entries, self.motor), self.motor, _settings(set or {}))
+
+    def run(self, directory: str | os.PathLike[str] | None = None, **how: Any) -> StudyResult:
+        """Runs it as run() does, with the same arguments."""
+        return run(self, directory, **how)

@@ -8,6 +8,7 @@
 #include "text/file_content.hpp"
 #include "yaml/yaml_text.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/io/words.hpp>
 #include <twum/io/yaml_loader.hpp>
 
@@ -173,26 +174,46 @@ std::map<std::string, std::string> flat(const std::string& text) {
   return values;
 }
 
+constexpr std::size_t kLargestCopy = 10'000'000;  // bytes
+
+std::string hash_of(const ResolvedStudy::NamedFile& file, const std::string& content) {
+  return hex(checksum(file.entry == "start" ? without_times(content) : content));
+}
+
+// Adds a file with its hash and the place of its copy, which keeps its name: answers name tables and sets by it.
+void add_file(std::vector<ResolvedStudy::NamedFile>& files, const std::string& entry,
+              const fs::path& path) {
+  ResolvedStudy::NamedFile file{entry, path.string(), {}, {}};
+  const std::string content = file_content(file.source(), kLargestResult);
+  file.hash = hash_of(file, content);
+  const std::string name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  std::string copy = "inputs/" + name;
+  const auto taken = [&](const ResolvedStudy::NamedFile& other) { return other.copy == copy; };
+  for (int k = 2; std::ranges::any_of(files, taken); ++k)
+    copy = "inputs/" + std::to_string(k) + "/" + name;
+  if (content.size() <= kLargestCopy) file.copy = copy;
+  files.push_back(std::move(file));
+}
+
 }  // namespace
+
+std::string content_of(const ResolvedStudy::NamedFile& file) {
+  std::string content = file_content(file.source(), kLargestResult);
+  if (hash_of(file, content) != file.hash)
+    throw InputError(file.source() + ": has changed while the study was being read; run it again");
+  return content;
+}
 
 ResolvedStudy resolve(const StudyFile& file) {
   const Shape<Study>& shape = study_shape(file.kind());
   ResolvedStudy result{file.motor, {}, shape.write(file.asked), {}};
   const bool typed = file.study.kind == YamlNode::Kind::mapping;
   result.study = complete(typed ? file.study : result.meaning, shape.schema, {});
-  for (const shapes::SetFile& file_of_set : shapes::set_files(result.study)) {
-    const std::string path = (fs::path(file.folder) / file_of_set.path->scalar).string();
-    result.files.push_back(
-        {file_of_set.entry, path, hex(checksum(file_content(path, kLargestResult)))});
-  }
-  for (const PathEntry& entry : path_entries(result.study)) {
-    const std::string path = (fs::path(file.folder) / entry.node->scalar).string();
-    const std::string content =
-        entry.name == "start" ? without_times(file_content(
-                                    (fs::path(path) / "summary.json").string(), kLargestResult))
-                              : file_content(path, kLargestResult);
-    result.files.push_back({entry.name, path, hex(checksum(content))});
-  }
+  const fs::path folder(file.folder);
+  for (const shapes::SetFile& set : shapes::set_files(result.study))
+    add_file(result.files, set.entry, folder / set.path->scalar);
+  for (const PathEntry& entry : path_entries(result.study))
+    add_file(result.files, entry.name, folder / entry.node->scalar);
   return result;
 }
 
@@ -200,11 +221,9 @@ std::string ResolvedStudy::text(const std::string& folder) const {
   YamlNode shown = study;
   for (const NamedFile& file : files) {
     if (folder.empty()) continue;
-    set_path(shown, file.entry,
-             fs::absolute(file.path)
-                 .lexically_normal()
-                 .lexically_relative(fs::absolute(folder).lexically_normal())
-                 .string());
+    const fs::path from_there = fs::absolute(file.path).lexically_normal().lexically_relative(
+        fs::absolute(folder).lexically_normal());
+    set_path(shown, file.entry, file.copy.empty() ? from_there.string() : file.copy);
   }
   return motor_text(motor) + "study:\n" + yaml_text(shown, 1);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Studies that search: optimum, front, sizing, calibration.
 #include "entries/choice_shape.hpp"
+#include "entries/columns_shape.hpp"
 #include "entries/entry_shapes.hpp"
 #include "entries/repeats.hpp"
 #include "entries/robust_shapes.hpp"
@@ -138,11 +139,12 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
 // One file, or a list of files.
 Shape<std::vector<std::string>> data_files() {
   const Shape<std::string> file = path(
-      "CSV file with columns such as speed [unit] and torque [unit]; of any metric by its name (a "
+      "table with columns such as speed [unit] and torque [unit]; of any metric by its name (a "
       "metric of "
       "a point is read at the speed of its row, or, in a table without speed, at the torque), or "
       "conductance, "
-      "susceptance, impedance, impedance_phase of the free stator; of parameters that were set; "
+      "susceptance, resistance, reactance, impedance, impedance_phase of the free stator; of "
+      "parameters that were set; "
       "and, if "
       "wanted, torque_sd [unit] and the like (standard deviation s: the weight is 1/s^2, and the "
       "scatter is "
@@ -278,6 +280,7 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
       "parameters from measurements",
       {kind_field<S>(),
        optional<S>("data", data_files(), &S::data, "none: the first ten measurements are planned"),
+       hidden(optional<S>("columns", shapes::columns(), &S::columns, "as the headings say")),
        required<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        hidden(
            optional<S>("per_file", own_per_file(), &S::per_file, "none: one value for all tables")),

@@ -8,8 +8,10 @@
 #include "results/provenance.hpp"
 #include "results/row_pass.hpp"
 #include "run/verify_checks.hpp"
+#include "store/written_content.hpp"
 #include "stored/result_folder.hpp"
 #include "stored/result_of.hpp"
+#include "text/file_content.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
@@ -90,6 +92,7 @@ class KeptRun {
   StudyResult run() {
     if (options_.fresh) folder_.discard();
     open_store();
+    keep_inputs();
     folder_.write(ResultFolder::kStudy, study_text());
     const bool was_complete = !store_->fact(facts::kComplete).empty();
     StudyResult result = run_on(file_, *kind_, *store_, options_);
@@ -129,13 +132,42 @@ class KeptRun {
       if (store_ != nullptr) return;
       folder_.discard();
     }
+    const std::string copies = copies_text();
     store_ = std::make_unique<ResultStore>(path, kind_->columns());
+    store_->set_fact(facts::kCopies, copies);
     store_->set_fact(facts::kVersion, version());
     store_->set_fact(facts::kStudyText, study_.text());
     store_->set_fact(facts::kFiles, files_text(study_));
     store_->set_fact(facts::kStarted, utc_text(std::chrono::system_clock::now()));
     // written last: if it exists, the others do, too
     store_->set_fact(facts::kHash, study_.hash());
+  }
+
+  // Whether a file of the study is the one in this directory, as in a run of the study that is kept here.
+  bool stands_here(const ResolvedStudy::NamedFile& file) const {
+    std::error_code ignored;
+    return std::filesystem::equivalent(file.source(), folder_.file(file.kept()), ignored);
+  }
+
+  // The copies that this run will make. A file in the place of one is not overwritten.
+  std::string copies_text() const {
+    std::string text;
+    for (const ResolvedStudy::NamedFile& file : study_.files) {
+      if (file.copy.empty() || stands_here(file)) continue;
+      if (folder_.has(file.kept()) &&
+          file_content(folder_.file(file.kept()), kLargestResult) != content_of(file))
+        throw InputError(folder_.file(file.kept()) +
+                         ": exists already and is no copy that twum made; choose another directory "
+                         "with -o, or remove it yourself");
+      text += file.kept() + "\n";
+    }
+    return text;
+  }
+
+  // Copies of the files that the study names, so that the results can be read again without them.
+  void keep_inputs() {
+    for (const ResolvedStudy::NamedFile& file : study_.files)
+      if (!file.copy.empty() && !stands_here(file)) folder_.write(file.kept(), content_of(file));
   }
 
   // The database if it holds rows of the same study; none if the run ended before its first row.
@@ -146,8 +178,9 @@ class KeptRun {
     std::vector<std::string> differ;
     if (hash != study_.hash() && !begins_here(*stored)) {
       differ = differences(stored->fact(facts::kStudyText), study_.text());
-      if (stored->fact(facts::kFiles) != files_text(study_))
-        differ.emplace_back("the content of a file that the study names");
+      for (const ResolvedStudy::NamedFile& file : study_.files)
+        if (!has_line(stored->fact(facts::kFiles), file.entry + " " + file.hash))
+          differ.push_back("the content of a file that the study names: " + file.source());
     }
     if (stored->fact(facts::kVersion) != version())
       differ.push_back("twum: " + stored->fact(facts::kVersion) + " there, " + version() + " here");

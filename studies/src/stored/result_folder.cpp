@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stored/result_folder.hpp"
 
+#include "stored/result_of.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/io/result_store.hpp>
 
@@ -17,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <sstream>
 
 namespace twum::studies {
 namespace {
@@ -24,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPart = ".part";
+constexpr std::string_view kInputs = "inputs/";
 constexpr std::array<std::string_view, 7> kResults{"study.yaml",  "results.csv", "summary.json",
                                                    "report.html", "best.yaml",   "fitted.yaml",
                                                    "results.db"};
@@ -103,6 +107,17 @@ bool is_numbered_motor(const fs::path& path) {
   return digits > 0 && name.substr(std::min(digits, name.size())) == ".yaml";
 }
 
+// Nothing if the database is damaged: copies that it lists then stay, and are written again.
+std::string listed_copies(const std::string& database) {
+  std::error_code ignored;
+  if (!fs::exists(database, ignored)) return {};
+  try {
+    return ResultStore(database).fact(facts::kCopies);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 void ResultFolder::discard_numbered() const {
@@ -136,9 +151,23 @@ void ResultFolder::check_ours() const {
   }
 }
 
+// Copies of the files of a study are those that its database lists; other files beside them stay.
+void ResultFolder::discard_copies() const {
+  std::error_code error;
+  std::istringstream copies(listed_copies(file(kDatabase)));
+  for (std::string name; std::getline(copies, name);) {
+    if (!name.starts_with(kInputs) || name.find("..") != std::string::npos) continue;
+    fs::remove(file(name), error);
+    if (error) fail(file(name), "cannot be removed", error.value());
+    fs::path folder = fs::path(name).parent_path();
+    for (; !folder.empty(); folder = folder.parent_path()) fs::remove(file(folder.string()), error);
+  }
+}
+
 void ResultFolder::discard() const {
   check_ours();
   discard_numbered();
+  discard_copies();
   std::error_code error;
   // Removes the database last, because it marks the other files as results of twum.
   for (const std::string_view name : kResults) {

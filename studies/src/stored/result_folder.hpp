@@ -49,6 +49,7 @@ class ResultFolder {
 
  private:
   void discard_numbered() const;
+  void discard_copies() const;
   void check_held() const;
 
   std::string path_;

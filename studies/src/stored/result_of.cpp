@@ -37,4 +37,8 @@ FailureCount failures_of(const StudyKindRun& kind, const ResultStore& store) {
   return failures;
 }
 
+bool has_line(const std::string& text, const std::string& line) {
+  return ("\n" + text).find("\n" + line + "\n") != std::string::npos;
+}
+
 }  // namespace twum::studies

@@ -98,9 +98,8 @@ std::vector<ResolvedStudy::NamedFile> resolved_files(const StudyFile& file) {
 std::vector<std::string> changed_files(const StudyFile& file, const ResultStore& store) {
   const std::string stored = store.fact(facts::kFiles);
   std::vector<std::string> changed;
-  for (const auto& [entry, path, hash] : resolved_files(file))
-    if (("\n" + stored).find("\n" + entry + " " + hash + "\n") == std::string::npos)
-      changed.push_back(path);
+  for (const ResolvedStudy::NamedFile& named : resolved_files(file))
+    if (!has_line(stored, named.entry + " " + named.hash)) changed.push_back(named.source());
   return changed;
 }
 

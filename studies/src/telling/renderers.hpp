@@ -28,6 +28,14 @@ std::string markdown(const Headline& headline);
 std::string markdown(const std::vector<Section>& sections);
 /// @}
 
+/// The same as HTML without styles, as a cell of a notebook shows it.
+/// @{
+std::string html(const Phrase& phrase);
+std::string html(const Table& table);
+std::string html(const Headline& headline);
+std::string html(const std::vector<Section>& sections);
+/// @}
+
 /// What studies/page/telling.js draws.
 Json headline_json(const Headline& headline);
 /// Limits that may stand on charts of curves: those of the best design, or of each point of a front; null of others.
@@ -36,7 +44,10 @@ Json curve_limits_json(const Answer& answer);
 Json points_json(const Answer& answer, const Sources& sources);
 Json sections_json(const std::vector<Section>& sections);
 
-/// The whole answer as Markdown.
+/// The whole answer as Markdown, and as HTML.
+/// @{
 std::string summary_markdown(const StudyResult& result, const Sources& sources);
+std::string summary_html(const StudyResult& result, const Sources& sources);
+/// @}
 
 }  // namespace twum::studies::telling

@@ -102,8 +102,29 @@ TEST_CASE("the study knows what a file it names holds, not where it lies", "[stu
   CHECK_THROWS_WITH(resolve(study("none.csv")), Contains("none.csv: cannot be read"));
   std::filesystem::create_directory(folder.path("folder.csv"));
   CHECK_THROWS_WITH(resolve(study("folder.csv")), Contains("folder.csv: cannot be read"));
-  // From another folder the path is another one, and names the same file.
-  CHECK_THAT(resolve(study("points.csv")).text(folder.path("out")), Contains("../points.csv"));
+  // A directory of results names its copy.
+  CHECK_THAT(resolve(study("points.csv")).text(folder.path("out")),
+             Contains("data: inputs/points.csv\n"));
+}
+
+TEST_CASE("files of one name have copies of their own, and one that is too large has none",
+          "[studies][run]") {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("other"));
+  const std::string points = "speed [rpm],torque [N.m]\n20,0.8\n100,0.8\n";
+  write(folder.path("points.csv"), points);
+  write(folder.path("other/points.csv"),
+        "#" + std::string(9'999'999 - points.size() - 1, 'x') + "\n" + points);
+  const auto study = [&] {
+    return study_in(folder, std::string("{kind: calibrate, ") + kBox +
+                                ", data: [points.csv, other/points.csv]}");
+  };
+  std::string text = resolve(study()).text(folder.path("out"));
+  CHECK_THAT(text, Contains("inputs/points.csv") && Contains("inputs/2/points.csv"));
+  write(folder.path("other/points.csv"),
+        "#" + std::string(10'000'000 - points.size() - 1, 'x') + "\n" + points);
+  text = resolve(study()).text(folder.path("out"));
+  CHECK_THAT(text, Contains("inputs/points.csv") && Contains("../other/points.csv"));
 }
 
 TEST_CASE("of an earlier result all but the time of its run counts", "[studies][run]") {

@@ -155,11 +155,19 @@ TEST_CASE("what is wrong with measured points is said at its place",
         Lines{"1:7: : unknown column 'torqe'; did you mean 'torque'?"});
   CHECK(wrong_points("speed,torque,speed\n") ==
         Lines{"1:14: speed: the column is given twice; leave one of them out"});
+  CHECK(wrong_points("speed,torque,amplitude,voltage\n") ==
+        Lines{"1:24: voltage: cannot be set beside 'amplitude'; leave out one of the two columns"});
   CHECK(wrong_points("speed,torque,weight,torque_sd\n").size() == 1);
   CHECK(wrong_points("speed,torque\n1\n") == Lines{"2:1: : 1 cell; the header has 2"});
   CHECK(wrong_points("speed,torque\n1,2,3\n") == Lines{"2:1: : 3 cells; the header has 2"});
-  CHECK(wrong_points("speed;torque\n1;2\n") ==
-        Lines{"1:1: : columns separated by semicolons; separate them with commas"});
+  CHECK(wrong_points("speed;torque\n1;2\n").empty());
+  CHECK(wrong_points("speed,Md\n1,2\n") ==
+        Lines{"1:1: : no column 'torque'; expected one such as 'torque [N.m]'; if another heading "
+              "stands "
+              "for it, say so in the study: columns: {torque: 'Md'}"});
+  CHECK(wrong_points("speed;torque\n1;1,200\n") ==
+        Lines{"2:3: torque: '1,200' has a comma, which may stand for a decimal point or separate "
+              "thousands; write '1.200' or '1200'"});
   CHECK(wrong_points("speed,torque\n") ==
         Lines{"1:1: : no points below the header; expected one on each line"});
   CHECK(wrong_points("# a remark\n") ==
@@ -168,11 +176,13 @@ TEST_CASE("what is wrong with measured points is said at its place",
 
 TEST_CASE("weights have a mean of 1, and a deviation gives the inverse of its square",
           "[studies][calibrate]") {
-  const auto [points, without_unit, by_letter, set] =
+  const auto [points, without_unit, by_letter, set, unused, instrument] =
       read_measured_points(Source("p", "speed,torque,torque_sd [mN.m]\n1,0.5,1\n# no\n2,0.4,2\n"));
   CHECK(without_unit == Lines{"speed [rad/s]", "torque [N.m]"});
   CHECK(set.empty());
   CHECK(by_letter.empty());
+  CHECK(unused.empty());
+  CHECK(instrument.empty());
   REQUIRE(points.size() == 2);
   // 1 to 1/4, of mean 1.
   CHECK(points[0].weight == Approx(1.6).epsilon(1e-15));

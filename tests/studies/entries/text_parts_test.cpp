@@ -188,8 +188,8 @@ TEST_CASE("what can be no unit is called none", "[studies][units]") {
 
 TEST_CASE("what people call a unit is known as what it is here", "[studies][units]") {
   CHECK(refusal("5 Nm").empty());  // as data sheets have it
-  CHECK_THAT(refusal("5 Ncm"), Contains("did you mean 'N.cm'?"));
-  CHECK_THAT(refusal("5 Nmm"), Contains("did you mean 'mN.m'?"));
+  CHECK(refusal("5 Ncm").empty());
+  CHECK(refusal("5 Nmm").empty());
   // Known, but no torque: 'rpm' would be no help here.
   CHECK_THAT(refusal("5 1/min"), !Contains("did you mean"));
   CHECK_THAT(refusal("5 microns"), !Contains("'um'"));

@@ -85,7 +85,7 @@ TEST_CASE("tolerances are verified from their directory", "[studies][verify][unc
   check_all_holds(one);
 }
 
-TEST_CASE("a fit is verified from its directory, and without its points it cannot be",
+TEST_CASE("a fit is verified from its directory, and without the copy of its points it cannot be",
           "[studies][verify][calibrate]") {
   const Finished one(
       "{kind: calibrate, data: points.csv, starts: 2, variables: {kinetic_friction: {min: 0.1, "
@@ -93,6 +93,10 @@ TEST_CASE("a fit is verified from its directory, and without its points it canno
   CHECK(one.result.outcome == "fitted");
   check_all_holds(one);
   fs::remove(one.folder.path("points.csv"));
+  check_all_holds(one);
+  std::ofstream(one.out() + "/inputs/points.csv", std::ios::app) << "0,0.1\n";
+  CHECK_THROWS_WITH(verify_study(one.out()), Contains("inputs/points.csv: has changed since"));
+  fs::remove(one.out() + "/inputs/points.csv");
   CHECK_THROWS_WITH(
       verify_study(one.out()),
       StartsWith("the stored study cannot be evaluated again: ") && Contains("points.csv"));

@@ -10,6 +10,7 @@
 #include "progress.hpp"
 
 #include <twum/base/ordered.hpp>
+#include <twum/io/plain_table.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/design_table.hpp>
@@ -33,7 +34,8 @@ constexpr const char* kEvaluateExamples = R"text(Examples:
       --metrics "stall_torque, no_load_speed, wear_intensity_at(80 rpm)" --jobs 4
 
 The table's columns are parameter names with an optional unit, such as "preload [N]";
-other columns are copied. A design that fails gets empty cells and a reason in "status".
+other columns are copied. Tables of spreadsheets are read, too: semicolons, decimal commas,
+tabs, UTF-16. A design that fails gets empty cells and a reason in "status".
 Without a table the motor itself is evaluated. Metrics may stand in expressions:
 numbers with units, + - * / ^, parentheses, sqrt abs exp log min max.)text";
 
@@ -130,8 +132,11 @@ int run_evaluate(const EvaluateOptions& options) {
                                             ? std::filesystem::file_size(options.designs, no_size)
                                             : 0);
 
-  studies::CsvReader reader(options.designs == "-" ? "standard input" : options.designs,
-                            studies::bytes_of(file.get(), options.designs));
+  const std::string name = options.designs == "-" ? "standard input" : options.designs;
+  auto [bytes, kind] = studies::plain_stream(name, studies::bytes_of(file.get(), options.designs),
+                                             studies::is_parameter_heading);
+  if (!kind.empty()) say(name + ": read as: " + kind);
+  studies::CsvReader reader(name, std::move(bytes));
   studies::CsvChunk header;
   if (!reader.read(header, 1))
     throw InputError(reader.name() + ":1: no header; expected columns such as 'preload [N]'");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/motors/column_choice.hpp>
 #include <twum/motors/statistic.hpp>
 #include <twum/motors/varied_parameters.hpp>
 #include <twum/optim/options.hpp>
@@ -297,6 +298,8 @@ struct CalibrateStudy {
 
   /// paths of the tables of measurements; none: plan the first measurements
   std::vector<std::string> data{};
+  std::vector<ColumnChoice>
+      columns{};  ///< which of their columns hold what, where headings do not say so
   std::vector<DesignVariable> variables{};  ///< what is estimated
   std::vector<Parameter>
       per_file{};  ///< of these: with a value of its own in each of several tables

@@ -65,33 +65,6 @@ bool CsvReader::fill() {
   return !at_end_;
 }
 
-// A spreadsheet's own format, or a text in another encoding, has no records that could be read.
-void CsvReader::check_kind() {
-  constexpr std::size_t kEnough = 512;
-  while (end_ - at_ < kEnough && fill()) continue;
-  known_kind_ = true;
-  const std::string_view head = rest().substr(0, kEnough);
-  const std::string save = "; save it as CSV (text with commas, UTF-8)";
-  if (head.starts_with("PK\x03\x04"))
-    throw InputError(name_ + ": is a spreadsheet (.xlsx, .ods) or another packed file, not a text" +
-                     save);
-  if (head.starts_with("\xD0\xCF\x11\xE0"))
-    throw InputError(name_ + ": is a spreadsheet (.xls) or another document, not a text" + save);
-  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"))
-    throw InputError(name_ + ": is a text in UTF-16" + save);
-  if (head.find('\0') != std::string_view::npos)
-    throw InputError(name_ + ": is not a text, or one in UTF-16" + save);
-}
-
-// Line ends of old programs: without line feeds the whole file would be one line.
-void CsvReader::refuse_lone_returns(std::string_view record, std::size_t line) const {
-  if (line != 1 || record.find('"') != std::string_view::npos) return;
-  if (record.find('\r') == std::string_view::npos) return;
-  throw InputError(
-      name_ +
-      ": its lines end in a carriage return alone (CR); save it with line feeds (LF or CRLF)");
-}
-
 // Finds the record that begins at at_: its length with the line end, and its number of lines.
 bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
   QuoteState quotes;
@@ -128,14 +101,12 @@ bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
 bool CsvReader::next(CsvChunk& chunk) {
   std::size_t length = 0;
   std::size_t lines = 0;
-  if (!known_kind_) check_kind();
   while (find_record(length, lines)) {
     std::string_view record = rest().substr(0, length);
     if (record.ends_with('\n')) record.remove_suffix(1);
     if (record.ends_with('\r')) record.remove_suffix(1);
     const std::size_t line = line_;
     const bool blank = trimmed(record).empty() || record.starts_with('#');
-    refuse_lone_returns(record, line);
     if (!blank) {
       chunk.records.push_back({chunk.text.size(), record.size(), line});
       chunk.text.append(record);
@@ -172,28 +143,14 @@ CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name) {
   };
 }
 
-std::string_view other_separator(std::string_view header) {
-  bool inside = false;
-  std::size_t semicolons = 0, tabs = 0;
-  for (const char c : header) {
-    if (c == '"') inside = !inside;
-    if (inside) continue;
-    if (c == ',') return {};
-    semicolons += c == ';' ? 1 : 0;
-    tabs += c == '\t' ? 1 : 0;
-  }
-  if (semicolons == 0 && tabs == 0) return {};
-  return semicolons >= tabs ? "semicolons" : "tabs";
-}
-
-bool split_record(std::string_view record, std::vector<std::string_view>& cells) {
+bool split_record(std::string_view record, std::vector<std::string_view>& cells, char separator) {
   cells.clear();
   std::size_t begin = 0;
   if (record.find('"') == std::string_view::npos) {
-    for (std::size_t comma = record.find(','); comma != std::string_view::npos;
-         comma = record.find(',', begin)) {
-      cells.push_back(record.substr(begin, comma - begin));
-      begin = comma + 1;
+    for (std::size_t end = record.find(separator); end != std::string_view::npos;
+         end = record.find(separator, begin)) {
+      cells.push_back(record.substr(begin, end - begin));
+      begin = end + 1;
     }
     cells.push_back(record.substr(begin));
     return true;
@@ -211,7 +168,7 @@ bool split_record(std::string_view record, std::vector<std::string_view>& cells)
       } else {
         well_formed = false;
       }
-    } else if (c == ',' && !inside) {
+    } else if (c == separator && !inside) {
       cells.push_back(record.substr(begin, i - begin));
       begin = i + 1;
       closed = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables/heading.hpp"
 
+#include "units/unit_spelling.hpp"
 #include "units/unit_system.hpp"
 
 #include <twum/io/words.hpp>
@@ -11,11 +12,6 @@
 namespace twum::io {
 namespace {
 
-bool names_unit(std::string_view text) {
-  return text.empty() || text == "1" || text == "-" ||
-         (unit_form_complaint(text).empty() && is_unit(text));
-}
-
 // NAME, the unit between `open` and `close`, and nothing behind it.
 Heading enclosed(std::string_view text, char open, std::string_view close) {
   const std::size_t at = text.rfind(open);
@@ -25,6 +21,11 @@ Heading enclosed(std::string_view text, char open, std::string_view close) {
 }
 
 }  // namespace
+
+bool names_unit(std::string_view text) {
+  return text.empty() || text == "1" || text == "-" ||
+         (unit_form_complaint(text).empty() && (is_unit(text) || peak_unit(text)));
+}
 
 std::vector<Heading> heading_forms(std::string_view text) {
   text = trimmed(text);

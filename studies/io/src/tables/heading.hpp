@@ -18,6 +18,9 @@ struct Heading {
 /// UNIT is one.
 std::vector<Heading> heading_forms(std::string_view text);
 
+/// True for a unit, a peak value such as "Vpp", and what stands for none: nothing, "1", "-".
+bool names_unit(std::string_view text);
+
 /// The first word of a heading: letters, digits and underscores.
 std::string_view first_word(std::string_view text);
 

@@ -3,6 +3,9 @@
 
 #include "text/utf8.hpp"
 
+#include <twum/io/words.hpp>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -22,6 +25,26 @@ std::optional<double> read_all(const char* first, const char* last) noexcept {
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc{} || end != last || !std::isfinite(value)) return {};
   return value;
+}
+
+std::string without(std::string_view text, char separator) {
+  std::string rest(text);
+  std::erase(rest, separator);
+  return rest;
+}
+
+// Whether commas stand before groups of three digits only, as in "1,200" and "1,200.5".
+bool groups_thousands(std::string_view number) {
+  if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
+  const std::size_t first = number.find(',');
+  if (first == std::string_view::npos || first == 0 || first > 3 || number[0] == '0') return false;
+  for (std::size_t at = first; at < number.size() && number[at] == ','; at += 4) {
+    const std::string_view group = number.substr(at + 1, 3);
+    const bool digits = group.size() == 3 && std::ranges::all_of(group, is_digit);
+    const bool longer = at + 4 < number.size() && is_digit(number[at + 4]);
+    if (!digits || longer) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -77,6 +100,36 @@ std::optional<double> parse_decimal(std::string_view text, int power) noexcept {
   *at++ = 'e';
   at = std::to_chars(at, buffer.data() + buffer.size(), exponent + power).ptr;
   return read_all(buffer.data(), at);
+}
+
+CommaReadings comma_readings(std::string_view number) {
+  const std::size_t comma = number.find(',');
+  if (comma == std::string_view::npos) return {};
+  const auto if_number = [](std::string text) {
+    return number_prefix(text) == text.size() ? std::move(text) : std::string();
+  };
+  CommaReadings readings;
+  const std::size_t point = number.find('.');
+  std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"
+  pointed[pointed.find(',')] = '.';
+  if (point == std::string_view::npos || point < comma) readings.decimal = if_number(pointed);
+  if (groups_thousands(number)) readings.thousands = if_number(without(number, ','));
+  return readings;
+}
+
+CommaComplaint comma_complaint(std::string_view number, std::string_view unit) {
+  const auto [decimal, thousands] = comma_readings(number);
+  const auto shown = [&](std::string_view text) {
+    return quoted(std::string(text) + std::string(unit));
+  };
+  if (!decimal.empty() && !thousands.empty())
+    return {
+        shown(number) + " has a comma, which may stand for a decimal point or separate thousands",
+        "write " + shown(decimal) + " or " + shown(thousands)};
+  if (!thousands.empty())
+    return {shown(number) + " has commas between thousands", "write " + shown(thousands)};
+  if (!decimal.empty()) return {shown(number) + " has a decimal comma", "write " + shown(decimal)};
+  return {};
 }
 
 void append_number(std::string& out, double value) {

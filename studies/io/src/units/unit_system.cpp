@@ -3,6 +3,7 @@
 
 #include "text/utf8.hpp"
 #include "units/unit_definitions.hpp"
+#include "units/unit_spelling.hpp"
 
 #include <twum/base/error.hpp>
 
@@ -79,7 +80,7 @@ class UnitSystem {
   }
 
   UnitPointer parse(std::string_view text) const {
-    return UnitPointer(ut_parse(system_, std::string(text).c_str(), UT_UTF8));
+    return UnitPointer(ut_parse(system_, usual_spelling(text).c_str(), UT_UTF8));
   }
 
   // SI value of `unit` in terms of `target`. Through their quotient, because UDUNITS also converts
@@ -176,8 +177,9 @@ std::string_view without_one(std::string_view unit) {
 
 }  // namespace
 
-std::string unit_form_complaint(std::string_view unit) {
+std::string unit_form_complaint(std::string_view typed) {
   constexpr std::size_t kLongestUnit = 60;
+  const std::string unit = usual_spelling(typed);
   const std::string_view rest = without_one(unit);
   const bool starts_well =
       !rest.empty() && (is_letter(rest[0]) || rest[0] == '%' || rest[0] == '(');

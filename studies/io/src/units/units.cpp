@@ -3,6 +3,7 @@
 
 #include "text/utf8.hpp"
 #include "units/unit_definitions.hpp"
+#include "units/unit_spelling.hpp"
 #include "units/unit_system.hpp"
 
 #include <twum/io/dimension.hpp>
@@ -63,10 +64,8 @@ bool fits_any(std::string_view unit, std::span<const Expected> expected) {
 // Units of data sheets and workshops, and their names here.
 std::string_view usual_unit_for(std::string_view unit) {
   static constexpr std::pair<std::string_view, std::string_view> kSaid[] = {
-      {"1/min", "rpm"},  {"U/min", "rpm"},     {"min^-1", "rpm"}, {"min-1", "rpm"},
-      {"tr/min", "rpm"}, {"r/min", "rpm"},     {"/min", "rpm"},   {"micron", "um"},
-      {"microns", "um"}, {"N/sqmm", "N/mm^2"}, {"Nmm", "mN.m"},   {"Ncm", "N.cm"},
-      {"Nm", "N.m"}};
+      {"1/min", "rpm"}, {"min^-1", "rpm"}, {"min-1", "rpm"},     {"tr/min", "rpm"}, {"/min", "rpm"},
+      {"micron", "um"}, {"microns", "um"}, {"N/sqmm", "N/mm^2"}, {"Nm", "N.m"}};
   for (const auto& [said, usual] : kSaid) {
     if (said == unit) return usual;
   }
@@ -117,6 +116,20 @@ Match match_celsius(std::string_view whole, std::size_t at, std::span<const Expe
   throw ValueError(quoted(whole) + " is a temperature", expectation(expected), at);
 }
 
+// Voltages and currents are rms. Of a sine the rms value is told; of another wave it is not known.
+void refuse_peak(std::string_view unit, std::string_view whole, std::size_t at,
+                 std::span<const Expected> expected) {
+  const auto peak = peak_unit(unit);
+  if (!peak || !is_unit(peak->base) || !fits_any(peak->base, expected)) return;
+  const auto number = parse_number(trimmed(whole.substr(0, at)));
+  const std::string base(peak->base);
+  throw ValueError(
+      quoted(whole) + " is a peak value, but voltages and currents are rms",
+      number ? "of a sine write " + quoted(rounded_text(*number * peak->rms, 4) + " " + base)
+             : "of a sine multiply by " + rounded_text(peak->rms, 4) + " and write " + quoted(base),
+      at);
+}
+
 Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                  std::span<const Expected> expected) {
   if (is_celsius(unit)) return match_celsius(whole, at, expected);
@@ -125,6 +138,7 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                      expectation_instead_of(unit, expected), at);
   }
   if (!is_unit(unit)) {
+    refuse_peak(unit, whole, at, expected);
     throw ValueError(quoted(whole) + ": unknown unit " + quoted(unit),
                      expectation(expected, usual_unit_near(unit, expected)), at);
   }
@@ -135,51 +149,13 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                    expectation_instead_of(unit, expected), at);
 }
 
-std::string without(std::string_view text, char separator) {
-  std::string rest(text);
-  std::erase(rest, separator);
-  return rest;
-}
-
-// Whether commas stand before groups of three digits only, as in "1,200" and "1,200.5".
-bool groups_thousands(std::string_view number, char separator) {
-  const std::size_t first = number.find(separator);
-  if (first == std::string_view::npos || first == 0 || first > 3 || number[0] == '0') return false;
-  for (std::size_t at = first; at < number.size() && number[at] == separator; at += 4) {
-    const std::string_view group = number.substr(at + 1, 3);
-    const bool digits = group.size() == 3 && std::ranges::all_of(group, is_digit);
-    const bool longer = at + 4 < number.size() && is_digit(number[at + 4]);
-    if (!digits || longer) return false;
-  }
-  return true;
-}
-
 // A comma is the decimal sign of some and separates the thousands of others. Where both readings are possible, both are offered.
 void refuse_comma(std::string_view text) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) return;
-  const std::size_t end = text.find_first_not_of("+-0123456789.,");
-  const std::string_view number = text.substr(0, end);
-  if (comma >= number.size()) return;  // no part of a number
-  const std::string unit(end == std::string_view::npos ? std::string_view() : text.substr(end));
-  const auto shown = [&](const std::string& digits) { return io::quoted(digits + unit); };
-  std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"
-  if (const std::size_t at = pointed.find(','); at != std::string::npos) pointed[at] = '.';
-  const std::string whole = without(number, ',');
-  const bool decimal = number_prefix(pointed) == pointed.size();
-  const bool thousands = groups_thousands(number.substr(number.find_first_not_of("+-")), ',') &&
-                         number_prefix(whole) == whole.size();
-  const bool points = number.find('.') != std::string_view::npos;
-  if (thousands && decimal && !points)
-    throw ValueError(io::quoted(text) +
-                         " has a comma, which may stand for a decimal point or "
-                         "separate thousands",
-                     "write " + shown(pointed) + " or " + shown(whole), comma);
-  if (thousands)
-    throw ValueError(io::quoted(text) + " has commas between thousands", "write " + shown(whole),
-                     comma);
-  if (decimal && (!points || number.find('.') < comma))
-    throw ValueError(io::quoted(text) + " has a decimal comma", "write " + shown(pointed), comma);
+  const std::size_t end = std::min(text.find_first_not_of("+-0123456789.,"), text.size());
+  if (comma >= end) return;  // no part of a number
+  const CommaComplaint complaint = comma_complaint(text.substr(0, end), text.substr(end));
+  if (!complaint.found.empty()) throw ValueError(complaint.found, complaint.expected, comma);
 }
 
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {

@@ -15,8 +15,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::array<CircuitPartInfo, 4> kParts{
-    {{"conductance", "S"}, {"susceptance", "S"}, {"impedance", "ohm"}, {"impedance_phase", "rad"}}};
+constexpr std::array<CircuitPartInfo, kCircuitParts> kParts{{{"conductance", "S"},
+                                                             {"susceptance", "S"},
+                                                             {"impedance", "ohm"},
+                                                             {"impedance_phase", "rad"},
+                                                             {"resistance", "ohm"},
+                                                             {"reactance", "ohm"}}};
 
 struct Slope {
   Parameter parameter;
@@ -54,6 +58,8 @@ double part_of(Complex y, CircuitPart part) {
     case CircuitPart::susceptance: return y.imag();
     case CircuitPart::impedance: return 1 / std::abs(y);
     case CircuitPart::impedance_phase: return -std::arg(y);
+    case CircuitPart::resistance: return (1.0 / y).real();
+    case CircuitPart::reactance: return (1.0 / y).imag();
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -65,6 +71,8 @@ double change_of(Complex y, Complex slope, CircuitPart part) {
     case CircuitPart::susceptance: return slope.imag();
     case CircuitPart::impedance: return -(slope / y).real() / std::abs(y);
     case CircuitPart::impedance_phase: return -(slope / y).imag();
+    case CircuitPart::resistance: return -(slope / (y * y)).real();  // d(1/Y) = -dY / Y^2
+    case CircuitPart::reactance: return -(slope / (y * y)).imag();
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -72,6 +80,14 @@ double change_of(Complex y, Complex slope, CircuitPart part) {
 }  // namespace
 
 const CircuitPartInfo& info(CircuitPart part) { return kParts[static_cast<std::size_t>(part)]; }
+
+bool same_number(CircuitPart a, CircuitPart b) {
+  const auto pair = [&](CircuitPart real, CircuitPart imaginary) {
+    return (a == real || a == imaginary) && (b == real || b == imaginary);
+  };
+  return a == b || pair(CircuitPart::conductance, CircuitPart::susceptance) ||
+         pair(CircuitPart::resistance, CircuitPart::reactance);
+}
 
 std::optional<CircuitPart> find_circuit_part(std::string_view name) {
   for (std::size_t k = 0; k < kParts.size(); ++k)

@@ -32,6 +32,13 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string not_a_number(std::string_view cell) {
+  if (cell.empty()) return "empty cell";
+  const CommaComplaint comma = comma_complaint(cell);
+  return comma.found.empty() ? quoted(cell) + " is not a number"
+                             : comma.found + "; " + comma.expected;
+}
+
 // Appends a cell unchanged, unless it is malformed or a spreadsheet would run it as a formula.
 void append_copy(std::string& out, std::string_view cell) {
   std::vector<std::string_view> parts;
@@ -44,6 +51,12 @@ void append_copy(std::string& out, std::string_view cell) {
 }
 
 }  // namespace
+
+bool is_parameter_heading(std::string_view heading) {
+  return std::ranges::any_of(heading_forms(heading), [](const Heading& form) {
+    return parameter_named(form.name).has_value();
+  });
+}
 
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values) {
   const auto of_motor = [](const MetricExpression& one) {
@@ -64,13 +77,8 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   std::vector<std::string> wrong;
   std::vector<std::string_view> cells;
   const bool well_formed = split_record(header_, cells);
-  if (const std::string_view separator = other_separator(header_); !separator.empty()) {
-    wrong.push_back("columns separated by " + std::string(separator) +
-                    "; separate them with commas");
-    cells.clear();
-  } else if (!well_formed) {
+  if (!well_formed)
     wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
-  }
   for (const std::string_view cell : cells) {
     try {
       columns_.push_back(read_column(cell_text(cell)));
@@ -227,8 +235,7 @@ bool DesignTable::read_values(Scratch& scratch) const {
       cell = trimmed(cell.substr(1, cell.size() - 2));
     const auto value = column.scale.read(cell);
     if (!value) {
-      scratch.reason =
-          column.name + (cell.empty() ? ": empty cell" : ": " + quoted(cell) + " is not a number");
+      scratch.reason = column.name + ": " + not_a_number(cell);
       return false;
     }
     scratch.values.emplace_back(*column.parameter, *value);

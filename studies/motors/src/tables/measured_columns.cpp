@@ -7,12 +7,20 @@
 #include <twum/io/words.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 namespace twum::motors {
 namespace {
 
 constexpr std::string_view kDeviation = "_sd";
+
+std::optional<Reading> reading_of(std::string_view name) {
+  if (const auto part = find_circuit_part(name)) return *part;
+  const auto metric = name == "torque" ? Metric::torque_at : find_metric(name);
+  if (!metric) return {};
+  return MetricRequest{*metric, info(*metric).argument, 0};
+}
 
 class ColumnReader {
  public:
@@ -25,6 +33,7 @@ class ColumnReader {
   std::vector<MeasuredColumn> read(SourceMark begin) {
     for (std::size_t i = 0; i < headings_.size(); ++i) add(headings_[i], parts_[i]);
     check_repeats();
+    check_alternatives();
     if (unknown_) return std::move(columns_);  // the unknown column may be the missing one
     for (MeasuredColumn& column : columns_) {
       if (column.role == ColumnRole::deviation) find_owner(column);
@@ -53,6 +62,13 @@ class ColumnReader {
 
   void add(const ColumnHeading& heading, const Heading& parts) {
     std::optional<MeasuredColumn> column = column_of(std::string(parts.name));
+    if (heading.unused || (!column && !is_mistyped(parts.name))) {
+      MeasuredColumn& unused = columns_.emplace_back();
+      unused.role = ColumnRole::unused;
+      unused.name = heading.text;
+      unused.mark = heading.mark;
+      return;
+    }
     if (column && column->role == ColumnRole::parameter && is_bare_letter(parts)) {
       const ParameterInfo& row = info(column->parameter);
       diagnostics_.add(heading.mark, "", bare_letter_words(parts.name, row),
@@ -61,18 +77,15 @@ class ColumnReader {
     }
     if (!column) {
       unknown_ = true;
-      diagnostics_.add(
-          heading.mark, "", "unknown column " + quoted(heading.text),
-          nearest(parts.name, known_names()).empty()
-              ? "expected speed, torque, a metric ('twum metrics' lists them), a "
-                "parameter ('twum parameters') or a standard deviation such as torque_sd"
-              : did_you_mean(parts.name, known_names()));
+      diagnostics_.add(heading.mark, "", "unknown column " + quoted(heading.text),
+                       did_you_mean(parts.name, known_names()));
       columns_.emplace_back();
       return;
     }
     column->name = parts.name;
     column->unit = parts.unit;
     column->mark = heading.mark;
+    column->reversed = heading.reversed;
     try {
       if (parts.has_unit)
         column->scale =
@@ -136,19 +149,20 @@ class ColumnReader {
     return column;
   }
 
-  static std::optional<Reading> reading_of(const std::string& name) {
-    if (const auto part = find_circuit_part(name)) return *part;
-    const auto metric = name == "torque" ? Metric::torque_at : find_metric(name);
-    if (!metric) return {};
-    return MetricRequest{*metric, info(*metric).argument, 0};
+  // A name with a letter too many, too few, or wrong. It may be meant, so that it is not merely unused.
+  static bool is_mistyped(std::string_view name) {
+    constexpr std::size_t kLongName = 6;  // letters of a name in which two may be wrong
+    const std::vector<std::string_view> known = known_names();
+    const std::string_view near = nearest(name, known);
+    const int most = near.size() > kLongName ? 2 : 1;
+    return !near.empty() && (near.size() == name.size() || edit_distance(name, near, most) <= most);
   }
 
   static std::vector<std::string_view> known_names() {
     std::vector<std::string_view> names{"speed", "torque", "weight", "torque_sd"};
     for (const MetricInfo& row : metric_table()) names.push_back(row.name);
-    for (const CircuitPart part : {CircuitPart::conductance, CircuitPart::susceptance,
-                                   CircuitPart::impedance, CircuitPart::impedance_phase})
-      names.push_back(info(part).name);
+    for (std::size_t part = 0; part < kCircuitParts; ++part)
+      names.push_back(info(static_cast<CircuitPart>(part)).name);
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
     return names;
   }
@@ -163,6 +177,18 @@ class ColumnReader {
                           b.mark, "first given here"});
       }
     }
+  }
+
+  // Two parameters of which a motor has one.
+  void check_alternatives() {
+    for (const MeasuredColumn& a : columns_)
+      for (const MeasuredColumn& b : columns_) {
+        const bool both =
+            a.role == ColumnRole::parameter && b.role == ColumnRole::parameter && &b < &a;
+        if (!both || info(a.parameter).alternative != b.parameter) continue;
+        diagnostics_.add({a.mark, a.name, "cannot be set beside " + quoted(b.name),
+                          "leave out one of the two columns", b.mark, "set here"});
+      }
   }
 
   void find_owner(MeasuredColumn& column) {
@@ -199,17 +225,27 @@ class ColumnReader {
   }
 
   void check_measured(SourceMark begin) {
-    const bool measured = std::any_of(columns_.begin(), columns_.end(),
-                                      [](const auto& c) { return c.role == ColumnRole::measured; });
-    if (measured) return;
+    const auto is_measured = [](const auto& c) { return c.role == ColumnRole::measured; };
+    if (std::ranges::any_of(columns_, is_measured)) return;
     if (has_speed_)
-      diagnostics_.add(begin, "", "no column 'torque'", "expected one such as 'torque [N.m]'");
+      diagnostics_.add(begin, "", "no column 'torque'",
+                       missing("torque", "expected one such as 'torque [N.m]'"));
     else if (has("torque"))
-      diagnostics_.add(begin, "", "no column 'speed'", "expected one such as 'speed [rpm]'");
+      diagnostics_.add(begin, "", "no column 'speed'",
+                       missing("speed", "expected one such as 'speed [rpm]'"));
     else
       diagnostics_.add(begin, "", "no column with measured values",
-                       "expected one such as 'torque [N.m]' beside 'speed [rpm]', or "
-                       "'no_load_speed [rpm]'");
+                       missing("torque",
+                               "expected one such as 'torque [N.m]' beside 'speed [rpm]', or "
+                               "'no_load_speed [rpm]'"));
+  }
+
+  // What to do about a column that is not there; one with another heading may be it.
+  std::string missing(const std::string& quantity, const std::string& expected) const {
+    const auto other = std::ranges::find(columns_, ColumnRole::unused, &MeasuredColumn::role);
+    if (other == columns_.end()) return expected;
+    return expected + "; if another heading stands for it, say so in the study: columns: {" +
+           quantity + ": " + quoted(other->name) + "}";
   }
 
   void check_weights() {
@@ -245,6 +281,56 @@ std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& h
   return ColumnReader(headings, diagnostics).read(begin);
 }
 
+bool is_reading_heading(std::string_view heading) {
+  return std::ranges::any_of(heading_forms(heading),
+                             [](const Heading& form) { return reading_of(form.name).has_value(); });
+}
+
+namespace {
+
+bool is_measured_name(std::string_view name) {
+  return reading_of(name) || name == "speed" || name == "weight" || parameter_named(name);
+}
+
+std::string in_small_letters(std::string_view name) {
+  std::string small(name);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+// Short names are symbols, of which another case means something else.
+bool is_known_in_small_letters(std::string_view name) {
+  constexpr std::size_t kLongestSymbol = 4;
+  std::string small = in_small_letters(name);
+  if (small.ends_with(kDeviation)) small.resize(small.size() - kDeviation.size());
+  return name.size() > kLongestSymbol && !is_measured_name(name) && is_measured_name(small);
+}
+
+}  // namespace
+
+bool is_measured_heading(std::string_view heading) {
+  return std::ranges::any_of(heading_forms(heading), [](const Heading& form) {
+    return is_measured_name(form.name) || is_known_in_small_letters(form.name);
+  });
+}
+
+std::string with_usual_case(const std::string& heading) {
+  for (const Heading& form : heading_forms(heading)) {
+    if (!is_known_in_small_letters(form.name)) continue;
+    const std::string unit(form.unit);
+    return in_small_letters(form.name) + (form.has_unit ? " [" + unit + "]" : "");
+  }
+  return heading;
+}
+
+std::vector<std::string> unused(const std::vector<MeasuredColumn>& columns) {
+  std::vector<std::string> headings;
+  for (const MeasuredColumn& column : columns)
+    if (column.role == ColumnRole::unused) headings.push_back(column.name);
+  return headings;
+}
+
 std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns) {
   std::vector<std::string> list;
   for (const MeasuredColumn& column : columns)
@@ -256,7 +342,7 @@ std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns) {
 std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns) {
   std::vector<std::string> headings;
   for (const MeasuredColumn& column : columns) {
-    if (column.unit.empty() && column.expected != "1")
+    if (column.unit.empty() && column.role != ColumnRole::unused && column.expected != "1")
       headings.push_back(column.name + " [" + std::string(column.expected) + "]");
   }
   return headings;

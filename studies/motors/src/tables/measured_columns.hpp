@@ -12,7 +12,7 @@
 namespace twum::motors {
 
 /// Role of a column in a table of measurements.
-enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter };
+enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter, unused };
 
 /// One column.
 struct MeasuredColumn {
@@ -26,13 +26,25 @@ struct MeasuredColumn {
   std::string unit;                   ///< as typed
   std::string_view expected;          ///< SI unit, static lifetime
   SourceMark mark;                    ///< of its heading
+  bool reversed{false};               ///< its values count with the other sign
 };
 
 /// A heading as typed, and where it stands.
 struct ColumnHeading {
   std::string text;
   SourceMark mark;
+  bool chosen{false};    ///< the study says what it is; see ColumnChoice
+  bool reversed{false};  ///< its values count with the other sign
+  bool unused{false};    ///< whatever its heading says
 };
+
+/// True for a heading of a quantity that a table may hold, with or without a unit.
+bool is_measured_heading(std::string_view heading);
+/// True for a heading of a measured quantity: a metric, a torque, or a part of the impedance.
+bool is_reading_heading(std::string_view heading);
+
+/// The heading with the name of a quantity in small letters, where only these are known: "Speed (rpm)" as "speed [rpm]".
+std::string with_usual_case(const std::string& heading);
 
 /// The columns of a table of measurements, in their order; see read_measured_points(). If something is wrong, adds
 /// errors, and the result is not valid.
@@ -41,6 +53,9 @@ std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& h
 
 /// Headings without a unit that have a dimension, with the SI unit they are read in: "torque [N.m]".
 std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns);
+
+/// Headings of the columns that are not used.
+std::vector<std::string> unused(const std::vector<MeasuredColumn>& columns);
 
 /// Columns that set a parameter by a letter: "h sets thickness".
 std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables/measured_points.hpp"
 
+#include "tables/chosen_columns.hpp"
+#include "tables/instrument_headings.hpp"
 #include "tables/measured_columns.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/io/csv.hpp>
 #include <twum/io/diagnostics.hpp>
+#include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -21,8 +26,9 @@ constexpr std::size_t kMostColumns = 100;
 
 class PointReader {
  public:
-  explicit PointReader(const Source& source)
+  PointReader(const Source& source, const std::vector<ColumnChoice>& choices)
       : source_(source),
+        choices_(choices),
         diagnostics_(source),
         reader_(source.name(), [this](char* to, std::size_t size) { return bytes(to, size); }) {}
 
@@ -38,6 +44,8 @@ class PointReader {
     weigh();
     diagnostics_.throw_if_any();
     MeasuredPoints table{std::move(points_), without_unit(columns_), by_letter(columns_)};
+    table.unused = unused(columns_);
+    table.instrument = instrument_;
     for (const MeasuredColumn& column : columns_)
       if (column.role == ColumnRole::parameter)
         table.set.emplace_back(column.parameter, column.mark);
@@ -61,22 +69,14 @@ class PointReader {
 
   bool split(std::string_view record, std::size_t line) {
     const bool good = split_record(record, cells_);
-    if (!good && (has_header_ || other_separator(record).empty())) {
+    if (!good)
       diagnostics_.add(source_.mark(static_cast<int>(line) - 1, 0), "",
                        "a quotation mark that cannot stand there", "quote whole cells");
-    }
     return good;
   }
 
   void read_header(std::string_view record, std::size_t line) {
-    const bool well_formed = split(record, line);
-    if (const std::string_view separator = other_separator(record); !separator.empty()) {
-      diagnostics_.add({static_cast<int>(line), 1}, "",
-                       "columns separated by " + std::string(separator),
-                       "separate them with commas");
-      return;
-    }
-    if (!well_formed) return;
+    if (!split(record, line)) return;
     if (cells_.size() > kMostColumns) {
       diagnostics_.add({static_cast<int>(line), 1}, "", std::to_string(cells_.size()) + " columns",
                        "expected " + std::to_string(kMostColumns) + " at most");
@@ -85,6 +85,9 @@ class PointReader {
     std::vector<ColumnHeading> headings;
     for (const std::string_view cell : cells_)
       headings.push_back({cell_text(cell), mark(record, line, cell)});
+    name_chosen_columns(choices_, headings, {static_cast<int>(line), 1}, diagnostics_);
+    instrument_ = name_instrument_columns(headings);
+    for (ColumnHeading& heading : headings) heading.text = with_usual_case(heading.text);
     columns_ = measured_columns(headings, {static_cast<int>(line), 1}, diagnostics_);
     for (const MeasuredColumn& column : columns_)
       measured_ += column.role == ColumnRole::measured ? 1 : 0;
@@ -127,6 +130,7 @@ class PointReader {
   // too.
   bool wanted(std::size_t i) const {
     const MeasuredColumn& column = columns_[i];
+    if (column.role == ColumnRole::unused) return false;
     const bool read = column.role == ColumnRole::measured || column.role == ColumnRole::deviation;
     if (!read || measured_ < 2) return true;
     const std::size_t of = column.role == ColumnRole::measured ? i : column.of;
@@ -163,14 +167,18 @@ class PointReader {
   std::optional<double> read_cell(const MeasuredColumn& column, std::string_view cell,
                                   SourceMark mark) {
     const std::string text = cell_text(cell);
-    const auto value = column.scale.read(text);
+    auto value = column.scale.read(text);
     if (!value) {
-      const std::string of =
-          column.unit.empty() ? "expected a number" : "expected a number in " + column.unit;
-      diagnostics_.add(mark, column.name,
-                       text.empty() ? "empty cell" : quoted(text) + " is not a number", of);
+      refuse_cell(column, text, mark);
       return {};
     }
+    if (column.unit.empty() && is_phase(column) && std::abs(*value) > 2 * std::numbers::pi) {
+      diagnostics_.add(mark, column.name,
+                       quoted(text) + " without a unit is in radians, where no phase is as large",
+                       "give the unit in the heading, such as 'impedance_phase [deg]'");
+      return {};
+    }
+    if (column.reversed) value = -*value;
     const bool positive = column.role == ColumnRole::weight || column.role == ColumnRole::deviation;
     if (positive && !(*value > 0)) {
       diagnostics_.add(mark, column.name, quoted(text),
@@ -181,6 +189,22 @@ class PointReader {
     const std::string wrong = complaint(column.parameter, *value);
     if (!wrong.empty()) diagnostics_.add(mark, column.name, quoted(text), wrong);
     return value;
+  }
+
+  static bool is_phase(const MeasuredColumn& column) {
+    const auto* part = std::get_if<CircuitPart>(&column.reading);
+    return column.role == ColumnRole::measured && part != nullptr &&
+           *part == CircuitPart::impedance_phase;
+  }
+
+  void refuse_cell(const MeasuredColumn& column, const std::string& text, SourceMark mark) {
+    if (const CommaComplaint comma = comma_complaint(text); !comma.found.empty()) {
+      diagnostics_.add(mark, column.name, comma.found, comma.expected);
+      return;
+    }
+    diagnostics_.add(
+        mark, column.name, text.empty() ? "empty cell" : quoted(text) + " is not a number",
+        column.unit.empty() ? "expected a number" : "expected a number in " + column.unit);
   }
 
   // Scales weights to the mean 1, so that the sum of squares keeps its unit.
@@ -213,12 +237,14 @@ class PointReader {
   }
 
   const Source& source_;
+  const std::vector<ColumnChoice>& choices_;
   Diagnostics diagnostics_;
   CsvReader reader_;
   std::size_t taken_{0};
   bool has_header_{false};
   std::size_t measured_{0};  // columns
   std::vector<MeasuredColumn> columns_;
+  std::string instrument_;
   std::vector<MeasuredPoint> points_;
   // Of the row being read.
   std::vector<std::string_view> cells_;
@@ -231,7 +257,7 @@ class PointReader {
 
 bool one_kind(const std::vector<MeasuredPoint>& points) {
   return std::all_of(points.begin(), points.end(), [&](const MeasuredPoint& point) {
-    return same_kind(point.reading, points.front().reading);
+    return same_scale(point.reading, points.front().reading);
   });
 }
 
@@ -249,14 +275,24 @@ std::string_view unit_of(const Reading& reading) {
 
 bool same_kind(const Reading& a, const Reading& b) { return name_of(a) == name_of(b); }
 
+bool same_scale(const Reading& a, const Reading& b) {
+  const auto* one = std::get_if<CircuitPart>(&a);
+  const auto* other = std::get_if<CircuitPart>(&b);
+  return same_kind(a, b) || (one != nullptr && other != nullptr && same_number(*one, *other));
+}
+
 MeasuredPoint torque_point(double speed, double torque, double weight, double deviation) {
   return {MetricRequest{Metric::torque_at, Argument::speed, speed}, torque, weight, deviation};
 }
 
-MeasuredPoints read_measured_points(const Source& source) { return PointReader(source).read(); }
+MeasuredPoints read_measured_points(const MeasuredTable& table,
+                                    const std::vector<ColumnChoice>& choices) {
+  return PointReader(table.source, choices).read();
+}
 
-MeasuredPoints read_measured_points(const std::string& path) {
-  return read_measured_points(read_source(path));
+MeasuredPoints read_measured_points(const Source& source,
+                                    const std::vector<ColumnChoice>& choices) {
+  return read_measured_points(measured_table(source, choices), choices);
 }
 
 MeasuredPoints joined(std::vector<MeasuredPoints> files) {

@@ -4,6 +4,7 @@
 #include <twum/io/source.hpp>
 
 #include "metrics/circuit_quantity.hpp"
+#include "tables/measured_table.hpp"
 
 #include <twum/core/metrics.hpp>
 #include <twum/core/parameters.hpp>
@@ -24,6 +25,8 @@ std::string_view name_of(const Reading& reading);
 std::string_view unit_of(const Reading& reading);
 /// Whether two readings are of the same quantity, at any speed or torque.
 bool same_kind(const Reading& a, const Reading& b);
+/// Whether two readings have errors of one size: those of one quantity, and both parts of a complex number.
+bool same_scale(const Reading& a, const Reading& b);
 
 /// One number that was read.
 struct MeasuredPoint {
@@ -49,21 +52,30 @@ struct MeasuredPoints {
   std::vector<std::string>
       by_letter{};  ///< columns that set a parameter by a letter: "h sets thickness"
   std::vector<std::pair<Parameter, SourceMark>> set{};  ///< columns of parameters that were set
+  std::vector<std::string> unused{};                    ///< headings of columns that are not read
+  std::string
+      instrument{};  ///< "an impedance analyser's table of R and X"; empty: headings of twum or chosen ones
 };
 
-/// Reads a CSV file of measurements, units in the header; lines that begin with # are remarks. Columns are
+/// Reads a table of measurements. Columns are
 ///
 /// * `speed` or `torque`: the operating point that the bench sets, at which metrics such as electrical_power_at are
 ///   read; beside `speed`, `torque` is a reading;
-/// * metrics by name, and conductance, susceptance, impedance and impedance_phase of a phase of the free stator:
-///   readings; a cell may be empty if its row has another reading;
+/// * metrics by name, and conductance, susceptance, resistance, reactance, impedance and impedance_phase of a phase of the
+///   free stator: readings; a cell may be empty if its row has another reading;
 /// * `NAME_sd`: the standard deviation s of column NAME, which gives the weight 1 / s^2; or `weight`;
-/// * parameters by name: values that were set in place of the motor's.
+/// * parameters by name: values that were set in place of the motor's;
+/// * those of an impedance analyser (instrument_headings.hpp), and those that `choices` name. Others are not used.
 ///
 /// The weights have the mean 1.
-/// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
-MeasuredPoints read_measured_points(const std::string& path);
-MeasuredPoints read_measured_points(const Source& source);
+/// @throws FileError with everything that is wrong in it
+/// @{
+MeasuredPoints read_measured_points(const MeasuredTable& table,
+                                    const std::vector<ColumnChoice>& choices);
+/// The same of a file as it is.
+MeasuredPoints read_measured_points(const Source& source,
+                                    const std::vector<ColumnChoice>& choices = {});
+/// @}
 
 /// The points of several files as one table. Points of several kinds have the weight 1 / s^2; otherwise weights are
 /// scaled to the mean 1.

@@ -14,17 +14,41 @@
 namespace twum::studies {
 namespace {
 
+// A table as text and as points.
+struct ReadTable {
+  MeasuredTable text;
+  MeasuredPoints points;
+};
+
 // A path without a file is an error of the study; errors in the file are reported there.
-MeasuredPoints points_of(const std::string& path) {
+ReadTable table_of(const std::string& path, const std::vector<ColumnChoice>& columns) {
   try {
-    return read_measured_points(path);
+    MeasuredTable text = read_measured_table(path, columns);
+    MeasuredPoints points = read_measured_points(text, columns);
+    return {std::move(text), std::move(points)};
   } catch (const FileError&) {
     throw;
   } catch (const InputError& error) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) throw;
     throw InputError(std::string(error.what()) +
-                     "; expected a CSV file of measured points with columns such as "
+                     "; expected a table of measured points with columns such as "
                      "'speed [rpm],torque [N.m]'; its path starts in the folder of the study");
   }
+}
+
+// How a table was read that is not plain CSV, and what of it is not used.
+std::vector<std::string> reading_notes(const ReadTable& table, const std::string& name) {
+  std::vector<std::string> notes;
+  std::string kind = table.points.instrument;
+  if (!table.text.kind.empty()) kind += (kind.empty() ? "" : ", ") + table.text.kind;
+  if (!kind.empty()) notes.push_back(name + " is read as: " + kind);
+  std::string unused;
+  for (const std::string& heading : table.points.unused)
+    unused += (unused.empty() ? "" : ", ") + quoted(heading);
+  if (!unused.empty())
+    notes.push_back(name + " has columns that the study does not use: " + unused);
+  return notes;
 }
 
 std::vector<std::string> unit_notes(const MeasuredPoints& table) {
@@ -42,26 +66,61 @@ std::vector<std::string> letter_notes(const MeasuredPoints& table) {
   return notes;
 }
 
-bool same_reading(const MeasuredPoint& a, const MeasuredPoint& b) {
-  const auto* one = std::get_if<MetricRequest>(&a.reading);
-  const auto* other = std::get_if<MetricRequest>(&b.reading);
-  const bool there = one == nullptr || other == nullptr || one->at == other->at;
-  return same_kind(a.reading, b.reading) && there && a.value == b.value && a.set == b.set;
+// What one point says, as numbers that order points.
+std::vector<double> numbers_of(const MeasuredPoint& point) {
+  std::vector<double> numbers{point.value};
+  const auto* request = std::get_if<MetricRequest>(&point.reading);
+  numbers.push_back(static_cast<double>(point.reading.index()));
+  numbers.push_back(request != nullptr ? static_cast<double>(request->metric)
+                                       : static_cast<double>(std::get<CircuitPart>(point.reading)));
+  numbers.push_back(request != nullptr ? request->at : 0);
+  for (const auto& [parameter, value] : point.set) {
+    numbers.push_back(static_cast<double>(index_of(parameter)));
+    numbers.push_back(value);
+  }
+  return numbers;
 }
 
-// Tables with the same numbers count twice: a fit then takes its errors for smaller than they are.
-std::vector<std::string> copy_notes(const std::vector<MeasuredPoints>& tables,
+std::string line_of(const MeasuredPoint& point) { return std::to_string(point.cell.line); }
+
+// How many numbers of a table are copies, and of how many.
+struct CopyCount {
+  std::size_t copies, all;
+};
+
+std::string copy_words(const std::vector<std::string>& names, std::size_t table, std::size_t first,
+                       const CopyCount& count, const std::string& lines) {
+  const std::string remedy = "; leave them out unless they were measured twice";
+  if (table != first && count.copies == count.all)
+    return names[table] + " holds the same numbers as " + names[first] +
+           ", so that each counts twice and intervals are too narrow" + remedy;
+  return names[table] + ": " + std::to_string(count.copies) + " of " +
+         counted(count.all, "number") + (count.copies == 1 ? " stands" : " stand") +
+         (table == first ? " there twice" : " in " + names[first] + ", too") + " (first: " + lines +
+         ") and count twice, so that intervals may be too narrow" + remedy;
+}
+
+// Numbers that stand twice count twice: a fit then takes its errors for smaller than they are.
+std::vector<std::string> copy_notes(const std::vector<ReadTable>& tables,
                                     const std::vector<std::string>& names) {
+  struct First {
+    std::size_t table;
+    const MeasuredPoint* point;
+  };
+  std::map<std::vector<double>, First> firsts;
   std::vector<std::string> notes;
-  for (std::size_t k = 1; k < tables.size(); ++k)
-    for (std::size_t i = 0; i < k; ++i) {
-      if (!std::ranges::equal(tables[i].points, tables[k].points, same_reading)) continue;
-      notes.push_back(
-          names[k] + " holds the same numbers as " + names[i] +
-          ", so that each counts twice and intervals are too narrow; leave one of them out "
-          "unless the numbers were measured twice");
-      break;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    std::map<std::size_t, std::pair<std::size_t, std::string>> copies;  // by the table of the first
+    for (const MeasuredPoint& point : tables[k].points.points) {
+      const auto [first, fresh] = firsts.try_emplace(numbers_of(point), First{k, &point});
+      if (fresh) continue;
+      auto& [count, lines] = copies[first->second.table];
+      if (count++ == 0) lines = "lines " + line_of(*first->second.point) + " and " + line_of(point);
     }
+    for (const auto& [table, copy] : copies)
+      notes.push_back(
+          copy_words(names, k, table, {copy.first, tables[k].points.points.size()}, copy.second));
+  }
   return notes;
 }
 
@@ -165,17 +224,17 @@ void refuse_electrical(const MeasuredPoints& table, const MotorDesign& motor,
   }
 }
 
-MeasuredPoints checked_table(const CalibrateStudy& asked, const MotorDesign& motor,
-                             const std::string& path) {
-  MeasuredPoints table = points_of(path);
-  const Source source = read_source(path);
-  Diagnostics diagnostics(source);
-  refuse_set(table, asked, diagnostics);
-  refuse_electrical(table, motor, diagnostics);
+ReadTable checked_table(const CalibrateStudy& asked, const MotorDesign& motor,
+                        const std::string& path) {
+  ReadTable table = table_of(path, asked.columns);
+  Diagnostics diagnostics(table.text.source);
+  refuse_set(table.points, asked, diagnostics);
+  refuse_electrical(table.points, motor, diagnostics);
   if (asked.scatter == Scatter::stated)
-    refuse_bare(table, "which 'scatter: stated' needs", ", or leave out 'scatter'", diagnostics);
+    refuse_bare(table.points, "which 'scatter: stated' needs", ", or leave out 'scatter'",
+                diagnostics);
   if (asked.scatter == Scatter::by_column)
-    refuse_short(table, fit_parameters(asked).size(), diagnostics);
+    refuse_short(table.points, fit_parameters(asked).size(), diagnostics);
   diagnostics.throw_if_any();
   return table;
 }
@@ -209,23 +268,22 @@ void give_sizes(std::vector<MeasuredPoint>& points) {
 }
 
 // Numbers of several kinds are weighed by their standard deviations, and so are those of tables of which some give them.
-void require_deviations(const std::vector<MeasuredPoints>& tables,
-                        const std::vector<std::string>& paths) {
+void require_deviations(const std::vector<ReadTable>& tables) {
   bool alike = true;
   bool given = false;
-  for (const MeasuredPoints& table : tables) {
-    for (const MeasuredPoint& point : table.points) {
-      alike = alike && same_kind(point.reading, tables.front().points.front().reading);
+  const Reading& first = tables.front().points.points.front().reading;
+  for (const ReadTable& table : tables) {
+    for (const MeasuredPoint& point : table.points.points) {
+      alike = alike && same_scale(point.reading, first);
       given = given || point.deviation > 0;
     }
   }
   if (alike && !given) return;
   const std::string need = std::string("which data of ") +
                            (alike ? "tables of which some give them" : "several kinds") + " need";
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    const Source source = read_source(paths[k]);
-    Diagnostics diagnostics(source);
-    refuse_bare(tables[k], need, "", diagnostics);
+  for (const ReadTable& table : tables) {
+    Diagnostics diagnostics(table.text.source);
+    refuse_bare(table.points, need, ", or 'scatter: by-column' to the study", diagnostics);
     diagnostics.throw_if_any();
   }
 }
@@ -252,19 +310,24 @@ std::vector<FitParameter> fit_parameters(const CalibrateStudy& asked) {
 }
 
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
-  std::vector<MeasuredPoints> tables;
+  std::vector<ReadTable> tables;
   std::vector<std::string> paths;
   std::string names;
   for (const std::string& name : asked.data) {
     paths.push_back((std::filesystem::path(file.folder) / name).string());
     names += (names.empty() ? "" : ", ") + paths.back();
     tables.push_back(checked_table(asked, file.motor.design, paths.back()));
-    if (asked.scatter == Scatter::by_column) give_sizes(tables.back().points);
+    if (asked.scatter == Scatter::by_column) give_sizes(tables.back().points.points);
   }
   refuse_file_twice(asked.data, paths);
-  require_deviations(tables, paths);
-  std::vector<std::string> notes = copy_notes(tables, asked.data);
-  MeasuredPoints table = joined(std::move(tables));
+  require_deviations(tables);
+  const std::vector<std::string> titles = file_names(asked.data);
+  std::vector<std::string> notes = copy_notes(tables, titles);
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    for (const std::string& note : reading_notes(tables[k], titles[k])) notes.push_back(note);
+  std::vector<MeasuredPoints> all;
+  for (ReadTable& one : tables) all.push_back(std::move(one.points));
+  MeasuredPoints table = joined(std::move(all));
   std::vector<MeasuredPoint>& points = table.points;
   std::vector<FitParameter> parameters = fit_parameters(asked);
   if (points.size() < parameters.size())

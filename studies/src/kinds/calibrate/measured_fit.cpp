@@ -116,7 +116,7 @@ MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> par
   Sorter sorter(*this, derived);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     sorter.add(i);
-    mixed_ = mixed_ || !same_kind(points_[i].reading, points_.front().reading);
+    mixed_ = mixed_ || !same_scale(points_[i].reading, points_.front().reading);
   }
 }
 

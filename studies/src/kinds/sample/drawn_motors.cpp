@@ -119,6 +119,7 @@ DrawnMotors::DrawnMotors(const UncertaintyStudy& asked, const StudyFile& file)
 
 std::vector<std::string> DrawnMotors::notes() const {
   std::vector<std::string> notes = shapes::tolerance_notes(tolerances_, design_);
+  if (!parts_.kind().empty()) notes.push_back(parts_name_ + " is read as: " + parts_.kind());
   for (const std::string& name : parts_.unused())
     notes.push_back("column " + quoted(name) + " of " + quoted(parts_name_) +
                     " is no parameter and is not used");

@@ -3,6 +3,7 @@
 
 #include <twum/io/csv.hpp>
 #include <twum/io/number.hpp>
+#include <twum/io/plain_table.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/design_table.hpp>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -29,7 +31,9 @@ MeasuredParts::MeasuredParts(const std::string& path, const MotorDesign& base) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) throw InputError("study.parts: " + quoted(path) + " cannot be read");
-  CsvReader reader(path, bytes_of(file.get(), path));
+  PlainStream plain = plain_stream(path, bytes_of(file.get(), path), is_parameter_heading);
+  kind_ = plain.kind;
+  CsvReader reader(path, std::move(plain.bytes));
   CsvChunk chunk;
   if (!reader.read(chunk, 1))
     throw InputError(path + ": is empty; expected a heading, and a line for each part");

@@ -26,12 +26,15 @@ class MeasuredParts {
   std::span<const double> draw(double u) const;
   /// Columns that are neither parameters nor the weight.
   const std::vector<std::string>& unused() const { return unused_; }
+  /// What the file was besides plain CSV, see PlainTable; empty: nothing.
+  const std::string& kind() const { return kind_; }
 
  private:
   std::vector<Parameter> parameters_;
   std::vector<double> values_;  // part by part
   std::vector<double> sums_;    // of the weights up to each part
   std::vector<std::string> unused_;
+  std::string kind_;
 };
 
 }  // namespace twum::studies

@@ -44,7 +44,7 @@ class CsvReader {
   CsvReader(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   /// Replaces the chunk by the next records, at most `most` and at most about 256 KiB; false at the end.
-  /// @throws InputError for a file of another kind (a spreadsheet, UTF-16, lines that end in CR alone), if a quotation does not end or a record is longer than 64 MiB, after the records before it
+  /// @throws InputError if a quotation does not end or a record is longer than 64 MiB, after the records before it
   ///         were returned.
   bool read(CsvChunk& chunk, std::size_t most);
 
@@ -59,8 +59,6 @@ class CsvReader {
   bool fill();
   bool find_record(std::size_t& length, std::size_t& lines);
   bool next(CsvChunk& chunk);
-  void check_kind();
-  void refuse_lone_returns(std::string_view record, std::size_t line) const;
 
   std::string name_;
   Bytes bytes_;
@@ -71,7 +69,6 @@ class CsvReader {
   std::size_t bytes_read_{0};
   bool at_start_{true};
   bool at_end_{false};
-  bool known_kind_{false};
   std::exception_ptr failure_;  // thrown by the next read
 };
 
@@ -79,12 +76,11 @@ class CsvReader {
 /// @throws InputError (when read from) if reading fails.
 CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name);
 
-/// What separates the columns of a header that has no comma outside quotation marks: "semicolons", "tabs", or nothing.
-std::string_view other_separator(std::string_view header);
-
-/// Divides a record into cells, with their quotation marks; the cells are views into the record.
+/// Divides a record into cells, with their quotation marks; the cells are views into the record. Readers of whole tables meet
+/// commas only (plain_table.hpp).
 /// @return false if a quotation mark is in the wrong place.
-bool split_record(std::string_view record, std::vector<std::string_view>& cells);
+bool split_record(std::string_view record, std::vector<std::string_view>& cells,
+                  char separator = ',');
 
 /// The text of a cell: blanks, quotation marks and doubled quotation marks removed.
 std::string cell_text(std::string_view cell);

@@ -19,6 +19,22 @@ std::optional<double> parse_decimal(std::string_view text, int power) noexcept;
 /// Length of the number that `text` begins with (sign and exponent included), 0 if there is none.
 std::size_t number_prefix(std::string_view text) noexcept;
 
+/// The meanings that a number with commas may have, as texts without any; empty where there is no such meaning.
+struct CommaReadings {
+  std::string decimal;    ///< "1.2" of "1,2" and "1200.5" of "1.200,5"
+  std::string thousands;  ///< "1200.5" of "1,200.5"
+};
+/// "1,200" has both meanings.
+CommaReadings comma_readings(std::string_view number);
+
+/// What is wrong with a number because of its commas, and what to write instead; both empty if that is not what is wrong.
+struct CommaComplaint {
+  std::string found;     ///< "'0,3 mm' has a decimal comma"
+  std::string expected;  ///< "write '0.3 mm'"
+};
+/// @param unit  what follows the number
+CommaComplaint comma_complaint(std::string_view number, std::string_view unit = {});
+
 /// Appends the shortest text that reads back as the same double; nothing for NaN. Independent of the locale.
 void append_number(std::string& out, double value);
 

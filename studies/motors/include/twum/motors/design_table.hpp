@@ -23,6 +23,9 @@ struct Heading;
 
 namespace twum::motors {
 
+/// True for a heading that names a parameter, with or without a unit: what plain_stream() looks for in tables of designs.
+bool is_parameter_heading(std::string_view heading);
+
 /// True if one of the expressions has a value. If metrics were asked for, parameters do not count.
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values);
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/columns_shape.hpp"
+
+#include "tables/measured_columns.hpp"
+
+#include <twum/io/number.hpp>
+#include <twum/io/value_error.hpp>
+#include <twum/io/words.hpp>
+
+namespace twum::studies::shapes {
+namespace {
+
+// A heading, or the number of a column.
+struct Place {
+  std::string heading;
+  std::size_t number{0};
+};
+
+Place parse_place(std::string_view text) {
+  constexpr double kMostColumns = 1000;
+  const auto number = parse_number(text);
+  if (!number) return {std::string(text), 0};
+  const auto whole =
+      *number >= 1 && *number <= kMostColumns ? static_cast<std::size_t>(*number) : 0;
+  if (static_cast<double>(whole) != *number)
+    throw ValueError(quoted(text), "expected the number of a column, from 1, or its heading");
+  return {{}, whole};
+}
+
+std::string place_text(const Place& place) {
+  return place.number > 0 ? std::to_string(place.number) : place.heading;
+}
+
+Shape<Place> place() {
+  return text_of<Place>("heading of the column, with its unit or without, or its number from 1",
+                        "n [rpm]", parse_place, place_text);
+}
+
+struct Item {
+  Place place;
+  std::string unit;
+  bool reversed{false};
+};
+
+ColumnChoice to_choice(const Item& item) {
+  return {{}, item.place.heading, item.place.number, item.unit, item.reversed};
+}
+
+Item from_choice(const ColumnChoice& choice) {
+  return {{choice.heading, choice.number}, choice.unit, choice.reversed};
+}
+
+Shape<ColumnChoice> column() {
+  const auto alone = shape_as<Item, Place>(
+      place(),
+      [](Place place) {
+        return Item{std::move(place), {}, false};
+      },
+      [](const Item& item) { return item.place; });
+  const auto whole = mapping<Item>(
+      "a column, its unit and its sign",
+      {required<Item>("column", place(), &Item::place),
+       optional<Item>("unit", path("unit of its cells", "mN.m"), &Item::unit,
+                      "that of the heading"),
+       standard<Item>(
+           "sign",
+           word<bool>("whether its values count with the other sign", {"given", "reversed"}),
+           &Item::reversed)});
+  const auto either =
+      one_of<Item>("the column of a quantity", {alone, whole},
+                   [](const Item& item) { return item.unit.empty() && !item.reversed ? 0U : 1U; });
+  return shape_as<ColumnChoice, Item>(either, to_choice, from_choice);
+}
+
+bool check_quantity(const YamlEntry& entry, const Spot& spot, Diagnostics& diagnostics) {
+  constexpr std::string_view kDeviation = "_sd";
+  std::string_view name = entry.key;
+  if (name.ends_with(kDeviation)) name.remove_suffix(kDeviation.size());
+  if (is_measured_heading(name) && name.find_first_of(" [(/") == std::string_view::npos)
+    return true;
+  diagnostics.add(
+      entry.key_mark, spot.entry(entry.key, entry.key_mark).path,
+      quoted(entry.key) + " is nothing that a table may hold",
+      "expected speed, torque, a metric, a parameter, frequency, impedance and the like, or "
+      "one of them with _sd");
+  return false;
+}
+
+}  // namespace
+
+Shape<std::vector<ColumnChoice>> columns() {
+  const Shape<ColumnChoice> item = column();
+  Shape<std::vector<ColumnChoice>> shape;
+  shape.schema.kind = ValueKind::named;
+  shape.schema.text = "which column of the tables holds what, where headings do not say so";
+  shape.schema.example = "speed: \"n [rpm]\"";
+  shape.schema.sample = "speed: \"n [rpm]\"\ntorque: {column: 3, unit: mN.m, sign: reversed}";
+  shape.schema.items.push_back(item.schema);
+  shape.read = [schema = kept(shape.schema), item](std::vector<ColumnChoice>& into,
+                                                   const YamlNode& node, const Spot& spot,
+                                                   Diagnostics& diagnostics) {
+    into.clear();
+    if (node.kind != YamlNode::Kind::mapping || node.entries.empty()) {
+      say_wrong_kind(node, *schema, spot, diagnostics);
+      return false;
+    }
+    bool good = true;
+    for (const YamlEntry& entry : node.entries) {
+      ColumnChoice choice;
+      good = check_quantity(entry, spot, diagnostics) && good;
+      good = item.read(choice, entry.value, spot.entry(entry.key, entry.key_mark), diagnostics) &&
+             good;
+      choice.quantity = entry.key;
+      into.push_back(std::move(choice));
+    }
+    return good;
+  };
+  shape.write = [item](const std::vector<ColumnChoice>& choices) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::mapping;
+    for (const ColumnChoice& choice : choices)
+      node.entries.push_back({choice.quantity, {}, item.write(choice)});
+    return node;
+  };
+  return shape;
+}
+
+}  // namespace twum::studies::shapes
