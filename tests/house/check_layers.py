@@ -11,10 +11,11 @@ LIBRARIES = {
     "core/base": [],
     "core/stator": ["core/base"],
     "core": ["core/base", "core/stator"],
+    "motion": ["core/base", "core/stator", "core"],
     "optim": ["core/base"],
     "studies/io": ["core/base"],
     "studies/motors": ["core/base", "core/stator", "core", "studies/io"],
-    "studies": ["core/base", "core/stator", "core", "optim", "studies/io", "studies/motors"],
+    "studies": ["core/base", "core/stator", "core", "motion", "optim", "studies/io", "studies/motors"],
 }
 FOLDERS = {
     "core": ["design", "contact", "model", "point", "curve", "drive", "held", "heat", "wear", "metrics"],
@@ -63,6 +64,7 @@ OTHERS = {
     "bindings/wasm": ["core/base", "core/stator", "core", "studies/io", "studies/motors"],
     "tests/core": ["core/base", "core/stator", "core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/support"],
+    "tests/motion": ["core/base", "core/stator", "core", "motion", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/support"],
     "tests/io": ["core/base", "studies/io", "tests/support"],
 }
@@ -75,6 +77,7 @@ ONLY_IN_SOURCES = {
     r"nlopt\.hpp?": {"optim", "bench"},
     r"(coin/)?Ip\w+\.hpp": {"optim", "bench"},
     r"gsl/.*": {"optim", "bench"},
+    r"(cvodes|nvector|sundials|sunlinsol|sunmatrix)/.*": {"motion"},
     r"yaml-cpp/.*": {"studies/io"},
     r"udunits2\.h": {"studies/io"},
     r"sqlite3\.h": {"studies/io"},
@@ -183,6 +186,6 @@ def check(path):
 
 
 if __name__ == "__main__":
-    sources = tree.files("core", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
+    sources = tree.files("core", "motion", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
                          suffixes=tree.CPP)
     tree.finish([c for path in sources for c in check(path)], len(sources))
