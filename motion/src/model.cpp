@@ -3,6 +3,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/parameters.hpp>
+#include <twum/motion/motion.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -12,20 +13,13 @@ namespace {
 
 using P = Parameter;
 
-// A_1 = F_N / (2 K_c), K_c = pi r b E / h (D1.4, D1.5).
-double full_contact_amplitude(const MotorDesign& d) {
-  const double stiffness = std::numbers::pi * d.stator.contact_radius * d.stator.contact_width *
-                           d.layer.youngs_modulus / d.layer.thickness;
-  return d.preload / (2 * stiffness);
-}
-
 // The motor whose wave has the amplitude that it is told, with the nodes that `auto` chooses for the design.
 MotorDesign with_given_amplitude(MotorDesign design) {
   if (design.stator.radial_slices == kAutoSlices)
     design.stator.radial_slices = Motor(design).radial_slices();
   if (!design.stator.voltage) return design;
   design.stator.voltage.reset();
-  design.stator.amplitude = std::clamp(10 * full_contact_amplitude(design), 1e-12, 1e-3);
+  design.stator.amplitude = std::clamp(10 * opening_amplitude(design), 1e-12, 1e-3);
   return design;
 }
 
@@ -54,7 +48,7 @@ MotionModel::MotionModel(const MotorDesign& design)
   load_damping = load.damping, load_friction = load.friction;
   stiffness = load.stiffness, neutral = load.neutral;
   off_resistance = d.driver.value_or(Driver{}).off_resistance;
-  full_contact_amplitude = motion::full_contact_amplitude(d);
+  full_contact_amplitude = opening_amplitude(d);
   holding_torque = motor.holding_torque();
   mirrors_at_rest = d.stator.radial_slices == 1 && shear_viscosity(d) == 0 &&
                     d.friction.threshold == d.friction.kinetic;

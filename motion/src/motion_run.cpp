@@ -111,21 +111,22 @@ bool MotionRun::enter(const Stretch& stretch) {
   if (switched) turn_wave();
   if (switched) note(stretch.off ? MotionEventKind::switched_off : MotionEventKind::switched_on);
   if (swapped) note(MotionEventKind::swapped);
-  return !equations_.mode().held || change_mode();
+  if (equations_.mode().held) change_mode();
+  return true;
 }
 
 // At rest: the rotor is held, or goes on to one side.
-bool MotionRun::change_mode() {
+void MotionRun::change_mode() {
   const Mode before = equations_.mode(), after = mode_at_rest();
   equations_.set_mode(after);
-  set_speed(after.held ? 0 : after.side * kReleaseSpeed);
+  y_[kSpeed] = 0;
   if (after.held && !before.held) note(MotionEventKind::held);
   if (!after.held && before.held) {
     note(MotionEventKind::released);
     watch_.released(equations_.amplitude(time_, y_));
   }
   if (!after.held && !before.held && after.side != before.side) note(MotionEventKind::reversed);
-  return true;
+  if (!after.held) y_[kSpeed] = after.side * kReleaseSpeed;
 }
 
 void MotionRun::take_samples() {

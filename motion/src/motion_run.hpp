@@ -16,22 +16,23 @@ class MotionRun {
   MotionRun(const MotorDesign& design, const MotionTask& task);
   Motion run();
 
- private:
+  /// The state at the beginning.
   void begin();
+
+ private:
   Stretch before_the_first() const;
   /// Each is false where the motion ends early.
   /// @{
   bool enter(const Stretch& stretch);
   bool follow(const Stretch& stretch);
   bool swap_phases();
-  bool change_mode();
   /// @}
   void turn_wave();
+  void change_mode();
   bool end_early(const std::string& status);
   void take_samples();
   /// Mode of a rotor at rest; the load decides (M4.1).
   Mode mode_at_rest();
-  void set_speed(double speed) { y_[kSpeed] = speed; }
   void note(MotionEventKind kind);
   double smallest_scale() const;
   std::vector<double> absolute_tolerances() const;

@@ -54,7 +54,7 @@ FOLDER_OF_HEADER = {
     "twum/studies/run_options.hpp": "stored",
     "twum/studies/stored_result.hpp": "stored",
 } | {f"twum/studies/{name}.hpp": "results" for name in (
-    "calibrate_result", "curve_result", "frequency_result", "heat_result", "life_result", "map_result", "move", "optimize_result", "pareto_result", "robust_result",
+    "calibrate_result", "curve_result", "frequency_result", "heat_result", "life_result", "map_result", "motion_result", "move", "optimize_result", "pareto_result", "robust_result",
     "run_progress", "sample_results", "search_results", "sensitivity_result", "study_result", "sweep_result",
     "uncertainty_result")}
 OTHERS = {

@@ -166,7 +166,7 @@ TEST_CASE("a free wave decays by the stator's damping and that of the resistor (
 TEST_CASE("the wave releases the rotor where the hold of (M4.2) is used up",
           "[motion][closed-form]") {
   const MotorDesign d = elastic_60(1e-4);
-  const double opening = opening_amplitude(d), hold = largest_torque(d);
+  const double opening = contact_opens_at(d), hold = largest_torque(d);
   const double kappa = d.stator.wavelengths / d.stator.contact_radius;
   const double s =
       shear_modulus(d) * kappa * d.stator.neutral_plane_distance / d.layer.youngs_modulus;

@@ -26,7 +26,7 @@ inline MotorDesign elastic_60(double inertia, double voltage = 140, double frequ
 }
 
 /// A_1 of a motor with one slice (D1.5) [m].
-inline double opening_amplitude(const MotorDesign& d) {
+inline double contact_opens_at(const MotorDesign& d) {
   return d.preload * d.layer.thickness /
          (2 * std::numbers::pi * d.stator.contact_radius * d.stator.contact_width *
           d.layer.youngs_modulus);

@@ -211,7 +211,7 @@ double dynamic_start_voltage(double inertia) {
     const double middle = 0.5 * (low + high);
     const MotorDesign d = elastic_60(inertia, middle);
     const Motion m = simulate(d, steady_drive(d, 0.02));
-    (m.last.amplitude > 3 * opening_amplitude(d) ? high : low) = middle;
+    (m.last.amplitude > 3 * contact_opens_at(d) ? high : low) = middle;
   }
   return high;
 }

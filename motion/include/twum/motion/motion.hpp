@@ -105,6 +105,13 @@ struct Motion {
 /// The task of a drive that stands still: the design's voltage, or amplitude, and frequency at all times.
 MotionTask steady_drive(const MotorDesign& design, double duration);
 
+/// A_1, amplitude at which the contact opens, if all of it lies at the contact radius (D1.5) [m].
+double opening_amplitude(const MotorDesign& design);
+
+/// Finds a steady beginning and the mode of the rotor, without a motion.
+/// @throws InputError as simulate()
+void require_motion(const MotorDesign& design, const MotionTask& task);
+
 /// Integrates the averaged wave, the rotor and the load in time (M2.1, M2.2), with the contact of an operating point at
 /// each instant, and a rotor that rests where friction holds it (M4.1). About 2 microseconds a contact with one slice, and some 50
 /// contacts a millisecond of a start. The layer's viscosity stays that of the design's frequency.
