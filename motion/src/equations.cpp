@@ -8,8 +8,6 @@
 namespace twum::motion {
 namespace {
 
-constexpr Complex kI{0, 1};
-
 // Speed at which the contact of a rotor is taken that is about to stop [rad/s]: the rates then stay smooth up to the event, and
 // at rest they are the limit from the rotor's side. It moves a torque by 1e-11 of itself.
 constexpr double kSmallestSpeed = 1e-12;

@@ -67,8 +67,8 @@ double MotionModel::drive_force(double voltage) const {
 }
 
 Complex MotionModel::off_voltage(double omega) const {
-  const Complex i{0, 1}, admittance = i * omega * capacitance * Complex{1, -loss_tangent};
-  return -off_resistance * i * omega * force_factor / (1.0 + off_resistance * admittance);
+  const Complex admittance = kI * omega * capacitance * Complex{1, -loss_tangent};
+  return -off_resistance * kI * omega * force_factor / (1.0 + off_resistance * admittance);
 }
 
 }  // namespace twum::motion

@@ -8,6 +8,7 @@
 namespace twum::motion {
 
 using Complex = std::complex<double>;
+inline constexpr Complex kI{0, 1};
 
 /// The numbers of a motor that stay the same during a motion.
 struct MotionModel {

@@ -25,11 +25,9 @@ MotorDesign with_drive(const MotorDesign& design, const Stretch& s) {
   return with(design, values);
 }
 
-// The state on the motor's curve that carries the load without its viscous friction.
-States state_on_curve(const MotorDesign& design, const Equations& equations) {
-  const Stretch& s = equations.stretch();
-  const Motor motor(with_drive(design, s));
-  const double torque = s.load_torque.value + equations.model().load_friction;
+// The state on the motor's curve that carries a torque without viscous friction.
+States state_on_curve(const MotorDesign& design, const Equations& equations, double torque) {
+  const Motor motor(with_drive(design, equations.stretch()));
   const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
   if (speed.status != MetricStatus::ok) refuse(to_string(speed.status));
   const OperatingPoint point = motor.operating_point(speed.value);
@@ -62,12 +60,7 @@ Eigen::VectorXd newton_step(Equations& equations, const States& y,
   return jacobian.fullPivLu().solve(residual);
 }
 
-}  // namespace
-
-States steady_state(const MotorDesign& design, Equations& equations) {
-  if (equations.model().stiffness > 0) refuse("the load has a spring");
-  equations.set_mode({false, 1});
-  States y = state_on_curve(design, equations);
+States newton_solution(Equations& equations, States y) {
   const std::vector<std::size_t> in = equations.model().driven
                                           ? std::vector<std::size_t>{kReal, kImaginary, kSpeed}
                                           : std::vector<std::size_t>{kSpeed};
@@ -84,7 +77,28 @@ States steady_state(const MotorDesign& design, Equations& equations) {
     if (!(y[kSpeed] > 0)) break;
     if (largest < 1e-11) return y;  // quadratic: the next step would be rounding
   }
-  refuse("the load's friction does not let it run");
+  refuse("friction and load do not let it run");
+}
+
+}  // namespace
+
+States steady_state(const MotorDesign& design, Equations& equations) {
+  if (equations.model().stiffness > 0) refuse("the load has a spring");
+  equations.set_mode({false, 1});
+  const Stretch& asked = equations.stretch();
+  const double torque = asked.load_torque.value, friction = equations.model().load_friction;
+  // The curve ends at no-load. From there a load that drives the rotor is approached in steps of 5 % of the holding torque.
+  States y = state_on_curve(design, equations, std::max(torque + friction, 0.0));
+  const double driving = std::min(torque + friction, 0.0);
+  const int steps = 1 + static_cast<int>(-driving / (0.05 * equations.model().holding_torque));
+  Stretch nearer = asked;
+  for (int step = 1; step <= steps; ++step) {
+    nearer.load_torque.value = torque - driving * (steps - step) / steps;
+    equations.set_stretch(nearer);
+    y = newton_solution(equations, y);
+  }
+  equations.set_stretch(asked);
+  return y;
 }
 
 }  // namespace twum::motion

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 
 import program
 from program import DRIVE, ROOT
@@ -56,6 +57,45 @@ class Move(program.Case):
                                   (("--time", "1 h"), "periods of the drive"),
                                   (("--torque", "1 W"), "--torque"), (("--voltage", "1 Hz"), "--voltage")):
             self.assertIn(expected, self.refused("move", MOVING, *options))
+
+
+class Linearize(program.Case):
+    ONE = ("linearize", MOVING, "--inertia", "93e-6 kg.m^2")  # 1e-4 with the rotor's
+
+    def test_poles_and_gains_are_those_of_another_program(self):
+        plant = json.loads(self.ok(*self.ONE, "--format", "json"))
+        # To the digits given: -9,155, -1,760 +- 3,753 i; -9.83e-3 rad/s/Hz, 0.0532 rad/s/V, -2.81 rad/s/(N m).
+        poles = sorted((pole["real"], pole["imaginary"]) for pole in plant["poles"])
+        for (real, imaginary), expected in zip(poles, ((-9155, 0), (-1760, -3753), (-1760, 3753))):
+            self.assertAlmostEqual(real, expected[0], delta=1)
+            self.assertAlmostEqual(imaginary, expected[1], delta=1)
+        speed = plant["gains"]["speed"]
+        self.assertAlmostEqual(speed["frequency"]["value"], -9.83e-3, delta=0.005e-3)
+        self.assertAlmostEqual(speed["voltage"]["value"], 0.0532, delta=0.5e-4)
+        self.assertAlmostEqual(speed["load_torque"]["value"], -2.81, delta=0.005)
+
+    def test_every_format_has_the_same_matrices(self):
+        plant = json.loads(self.ok(*self.ONE, "--format", "json"))
+        path = self.folder / "plant.m"
+        self.ok(*self.ONE, "-o", path)  # the ending says the format
+        text = path.read_text().replace("...\n", " ")
+        for name in "ABCD":
+            rows = re.search(rf"^{name} = \[(.*?)\];", text, re.M | re.S)[1].split(";")
+            self.assertEqual([[float(cell) for cell in row.split(",")] for row in rows], plant[name])
+        entries = csv.DictReader(io.StringIO(self.ok(*self.ONE, "--format", "csv")))
+        names = {key: [one["name"] for one in plant[key]] for key in ("states", "inputs", "outputs")}
+        sides = {"A": ("states", "states"), "B": ("states", "inputs"), "C": ("outputs", "states"), "D": ("outputs", "inputs")}
+        count = 0
+        for entry in entries:
+            row, column = sides[entry["matrix"]]
+            at = names[row].index(entry["row"]), names[column].index(entry["column"])
+            self.assertEqual(float(entry["value"]), plant[entry["matrix"]][at[0]][at[1]])
+            count += 1
+        self.assertEqual(count, 16 + 12 + 20 + 15)
+
+    def test_what_cannot_be_is_refused(self):
+        self.assertIn("no steady running state", self.refused("linearize", MOVING, "--torque", "3 N.m"))
+        self.assertIn("rotor_inertia", self.refused("linearize", DRIVE))
 
 
 class Study(program.Case):

@@ -9,5 +9,6 @@
 /// hold: SI units, values in and out, InputError for a wrong argument.
 
 #include <twum/motion/integrator_version.hpp>
+#include <twum/motion/linear_plant.hpp>
 #include <twum/motion/motion.hpp>
 #include <twum/motion/profile.hpp>
