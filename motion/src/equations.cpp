@@ -17,6 +17,9 @@ constexpr double kStep = 1e-6;
 
 Complex zeta_of(std::span<const double> y) { return {y[kReal], y[kImaginary]}; }
 
+// dA / dzeta
+Complex direction(Complex zeta) { return zeta == Complex{0, 0} ? zeta : zeta / std::abs(zeta); }
+
 }  // namespace
 
 double Equations::omega(double time) const {
@@ -125,57 +128,64 @@ bool Equations::rates(double time, std::span<const double> y, std::span<double> 
   return true;
 }
 
+// Derivatives of the contact at an instant, by differences. The torque changes over speeds of the order of the crest's.
+std::optional<Equations::ContactDerivatives> Equations::contact_derivatives(
+    double time, std::span<const double> y) {
+  constexpr double kLeast = 1e-15;  // without a preload nothing has a size, and nothing changes
+  const double a = amplitude(time, y), speed = contact_speed(y[kSpeed]);
+  const double size = std::max({a, 1e-3 * model_->full_contact_amplitude, kLeast});
+  const double crest = model_->crest_per_amplitude * omega(time) * size;
+  const double da = kStep * size, dw = mode_.side * kStep * std::max(std::abs(speed), 0.1 * crest);
+  const ContactForces here = forces_at(time, a, speed);
+  const ContactForces larger = model_->driven ? forces_at(time, a + da, speed) : here;
+  const ContactForces faster = mode_.held ? here : forces_at(time, a, speed + dw);
+  if (!here.known || !larger.known || !faster.known) return {};
+  return ContactDerivatives{here.stiffness, (larger.stiffness - here.stiffness) / da,
+                            (faster.stiffness - here.stiffness) / dw,
+                            (larger.torque - here.torque) / da, (faster.torque - here.torque) / dw};
+}
+
 bool Equations::jacobian(double time, std::span<const double> y, std::span<double> jacobian) {
   std::ranges::fill(jacobian, 0.0);
-  const auto entry = [&](std::size_t of, std::size_t in) -> double& {
-    return jacobian[in * kStateCount + of];
-  };
-  const double a = amplitude(time, y), speed = contact_speed(y[kSpeed]);
-  const ContactForces here = forces_at(time, a, speed);
-  if (!here.known) return false;
-
-  // Derivatives of the contact in amplitude and speed. The torque changes over speeds of the order of the crest's.
-  const double da = kStep * std::max(a, model_->full_contact_amplitude * 1e-3);
-  const double crest = model_->crest_per_amplitude * omega(time) * std::max(a, da / kStep);
-  const double dw = mode_.side * kStep * std::max(std::abs(speed), 0.1 * crest);
-  ContactForces in_amplitude = here, in_speed = here;
-  if (model_->driven) in_amplitude = forces_at(time, a + da, speed);
-  if (!mode_.held) in_speed = forces_at(time, a, speed + dw);
-  if (!in_amplitude.known || !in_speed.known) return false;
-  const Complex stiffness_a = (in_amplitude.stiffness - here.stiffness) / da;
-  const Complex stiffness_w = (in_speed.stiffness - here.stiffness) / dw;
-
-  if (model_->driven) {
-    const Complex zeta = zeta_of(y);
-    const WaveRate wave = wave_rate(time, here.stiffness);
-    const auto put = [&](std::size_t in, Complex dzeta, Complex dstiffness) {
-      const double dfree = dstiffness.real() / (2 * model_->mass * wave.free_rate);
-      const Complex dgrowth = -dstiffness / wave.divisor - wave.growth * dfree / wave.rates;
-      const Complex ddrive = -wave.drive * dfree / wave.rates;
-      const Complex d = stretch_->off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
-                                      : ddrive + wave.growth * dzeta + dgrowth * zeta;
-      entry(kReal, in) = d.real(), entry(kImaginary, in) = d.imag();
-      if (stretch_->off) entry(kTurn, in) = dgrowth.imag();
-    };
-    const Electrical terminals = electrical(time, y);
-    entry(kEnergy, kReal) = power_slope(time, terminals, 1);
-    entry(kEnergy, kImaginary) = power_slope(time, terminals, kI);
-    const Complex along = a > 0 ? zeta / a : Complex{0, 0};  // dA / dzeta
-    put(kReal, 1, along.real() * stiffness_a);
-    put(kImaginary, kI, along.imag() * stiffness_a);
-    put(kSpeed, 0, mode_.held ? Complex{0, 0} : stiffness_w);
-    const double torque_a = (in_amplitude.torque - here.torque) / da;
-    if (!mode_.held) {
-      entry(kSpeed, kReal) = along.real() * torque_a / model_->inertia;
-      entry(kSpeed, kImaginary) = along.imag() * torque_a / model_->inertia;
-    }
-  }
-  if (mode_.held) return true;
-  entry(kSpeed, kSpeed) =
-      ((in_speed.torque - here.torque) / dw - model_->load_damping) / model_->inertia;
-  entry(kSpeed, kAngle) = -model_->stiffness / model_->inertia;
-  entry(kAngle, kSpeed) = 1;
+  const Entries entries{jacobian};
+  const auto contact = contact_derivatives(time, y);
+  if (!contact) return false;
+  if (model_->driven) add_wave(entries, time, y, *contact);
+  if (!mode_.held) add_rotor(entries, y, *contact);
   return true;
+}
+
+void Equations::add_wave(const Entries& entry, double time, std::span<const double> y,
+                         const ContactDerivatives& contact) const {
+  const Complex zeta = zeta_of(y);
+  const WaveRate wave = wave_rate(time, contact.stiffness);
+  const auto put = [&](std::size_t in, Complex dzeta, Complex dstiffness) {
+    const double dfree = dstiffness.real() / (2 * model_->mass * wave.free_rate);
+    const Complex dgrowth = -dstiffness / wave.divisor - wave.growth * dfree / wave.rates;
+    const Complex ddrive = -wave.drive * dfree / wave.rates;
+    const Complex d = stretch_->off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
+                                    : ddrive + wave.growth * dzeta + dgrowth * zeta;
+    entry(kReal, in) = d.real(), entry(kImaginary, in) = d.imag();
+    if (stretch_->off) entry(kTurn, in) = dgrowth.imag();
+  };
+  const Complex along = direction(zeta);
+  put(kReal, 1, along.real() * contact.stiffness_per_amplitude);
+  put(kImaginary, kI, along.imag() * contact.stiffness_per_amplitude);
+  put(kSpeed, 0, contact.stiffness_per_speed);
+  const Electrical terminals = electrical(time, y);
+  entry(kEnergy, kReal) = power_slope(time, terminals, 1);
+  entry(kEnergy, kImaginary) = power_slope(time, terminals, kI);
+}
+
+void Equations::add_rotor(const Entries& entry, std::span<const double> y,
+                          const ContactDerivatives& contact) const {
+  const double inertia = model_->inertia;
+  const Complex along = direction(zeta_of(y));
+  entry(kSpeed, kReal) = along.real() * contact.torque_per_amplitude / inertia;
+  entry(kSpeed, kImaginary) = along.imag() * contact.torque_per_amplitude / inertia;
+  entry(kSpeed, kSpeed) = (contact.torque_per_speed - model_->load_damping) / inertia;
+  entry(kSpeed, kAngle) = -model_->stiffness / inertia;
+  entry(kAngle, kSpeed) = 1;
 }
 
 bool Equations::events(double time, std::span<const double> y, std::span<double> values) {

@@ -6,6 +6,7 @@
 #include "stretches.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace twum::motion {
@@ -61,6 +62,23 @@ class Equations final : public OdeSystem {
 
  private:
   Complex capacitive_admittance(double time) const;
+  /// F / A, and its and the torque's derivatives in amplitude and speed.
+  struct ContactDerivatives {
+    Complex stiffness, stiffness_per_amplitude, stiffness_per_speed;
+    double torque_per_amplitude, torque_per_speed;
+  };
+  /// Entries of the Jacobian by row and column.
+  struct Entries {
+    std::span<double> values;
+    double& operator()(std::size_t of, std::size_t in) const {
+      return values[in * kStateCount + of];
+    }
+  };
+  std::optional<ContactDerivatives> contact_derivatives(double time, std::span<const double> y);
+  void add_wave(const Entries& entry, double time, std::span<const double> y,
+                const ContactDerivatives& contact) const;
+  void add_rotor(const Entries& entry, std::span<const double> y,
+                 const ContactDerivatives& contact) const;
   ContactForces forces_at(double time, double amplitude, double speed);
   double omega(double time) const;
   double contact_speed(double speed) const;

@@ -163,6 +163,21 @@ TEST_CASE("a free wave decays by the stator's damping and that of the resistor (
   }
 }
 
+TEST_CASE("a stator without rotor reaches the amplitude of its resonance curve (M2.1)",
+          "[motion][closed-form]") {
+  MotorDesign d = elastic_60(1e-4);
+  d.preload = 0;
+  const Motion m = simulate(d, steady_drive(d, 0.03));
+  REQUIRE(m.status == "ok");
+  const double omega = 2 * std::numbers::pi * 40.8e3, free = 2 * std::numbers::pi * 39e3;
+  const double amplitude =
+      0.55 * std::numbers::sqrt2 * 140 /
+      std::hypot(0.025 * (free * free - omega * omega), omega * modal_damping(d));
+  // 30 ms are 24 time constants 2 m_s / d_s.
+  CHECK(m.last.amplitude == Approx(amplitude).epsilon(1e-6));
+  CHECK(m.last.speed == Approx(0).margin(1e-8));
+}
+
 TEST_CASE("the wave releases the rotor where the hold of (M4.2) is used up",
           "[motion][closed-form]") {
   const MotorDesign d = elastic_60(1e-4);
