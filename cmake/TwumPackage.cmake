@@ -95,7 +95,11 @@ function(twum_install_package)
     LIBRARY "-ltwum_core -ltwum_stator -ltwum_base" PRIVATE_LIBS -pthread)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"
     LIBRARY "-ltwum_optim -ltwum_base" PRIVATE_REQUIRES ${solvers} PRIVATE_LIBS -pthread)
+  set(integrator "")
+  if(SUNDIALS_FOUND)
+    set(integrator " -lsundials_cvodes")
+  endif()
   twum_pkg_config(twum DESCRIPTION "Design of travelling wave ultrasonic motors: motors, files, studies (C++20)"
-    LIBRARY "-ltwum_studies -ltwum_motors -ltwum_io" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
-    PRIVATE_REQUIRES ${mpi} yaml-cpp udunits sqlite3 PRIVATE_LIBS -pthread)
+    LIBRARY "-ltwum_studies -ltwum_motors -ltwum_io -ltwum_motion" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
+    PRIVATE_REQUIRES ${mpi} yaml-cpp udunits sqlite3 PRIVATE_LIBS "-pthread${integrator}")
 endfunction()

@@ -19,6 +19,7 @@ class Help(program.Case):
         version, solvers, licence = self.ok("--version").splitlines()
         self.assertRegex(version, r"^twum \d+\.\d+\.\d+$")
         self.assertRegex(solvers, r"^solvers: NLopt \d+\.\d+")
+        self.assertRegex(solvers, r", SUNDIALS \d+\.\d+")
         # Both together may not be passed on; GSL alone makes it GPL-3.
         both = "GSL" in solvers and "Ipopt" in solvers
         self.assertEqual(licence.startswith("licence of this program: for your own use"), both)

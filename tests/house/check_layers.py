@@ -11,10 +11,11 @@ LIBRARIES = {
     "core/base": [],
     "core/stator": ["core/base"],
     "core": ["core/base", "core/stator"],
+    "motion": ["core/base", "core/stator", "core"],
     "optim": ["core/base"],
     "studies/io": ["core/base"],
     "studies/motors": ["core/base", "core/stator", "core", "studies/io"],
-    "studies": ["core/base", "core/stator", "core", "optim", "studies/io", "studies/motors"],
+    "studies": ["core/base", "core/stator", "core", "motion", "optim", "studies/io", "studies/motors"],
 }
 FOLDERS = {
     "core": ["design", "contact", "model", "point", "curve", "drive", "held", "heat", "wear", "metrics"],
@@ -54,7 +55,7 @@ FOLDER_OF_HEADER = {
     "twum/studies/run_options.hpp": "stored",
     "twum/studies/stored_result.hpp": "stored",
 } | {f"twum/studies/{name}.hpp": "results" for name in (
-    "calibrate_result", "curve_result", "frequency_result", "heat_result", "life_result", "map_result", "move", "optimize_result", "pareto_result", "robust_result",
+    "calibrate_result", "curve_result", "frequency_result", "heat_result", "life_result", "map_result", "motion_result", "move", "optimize_result", "pareto_result", "robust_result",
     "run_progress", "sample_results", "search_results", "sensitivity_result", "study_result", "sweep_result",
     "uncertainty_result")}
 OTHERS = {
@@ -64,6 +65,7 @@ OTHERS = {
     "bindings/wasm": ["core/base", "core/stator", "core", "studies/io", "studies/motors"],
     "tests/core": ["core/base", "core/stator", "core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/support"],
+    "tests/motion": ["core/base", "core/stator", "core", "motion", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/support"],
     "tests/io": ["core/base", "studies/io", "tests/support"],
 }
@@ -76,6 +78,7 @@ ONLY_IN_SOURCES = {
     r"nlopt\.hpp?": {"optim", "bench"},
     r"(coin/)?Ip\w+\.hpp": {"optim", "bench"},
     r"gsl/.*": {"optim", "bench"},
+    r"(cvodes|nvector|sundials|sunlinsol|sunmatrix)/.*": {"motion"},
     r"yaml-cpp/.*": {"studies/io"},
     r"udunits2\.h": {"studies/io"},
     r"sqlite3\.h": {"studies/io"},
@@ -184,6 +187,6 @@ def check(path):
 
 
 if __name__ == "__main__":
-    sources = tree.files("core", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
+    sources = tree.files("core", "motion", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
                          suffixes=tree.CPP)
     tree.finish([c for path in sources for c in check(path)], len(sources))

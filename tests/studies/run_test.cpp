@@ -105,15 +105,16 @@ TEST_CASE("the resolved file of every kind is valid and keeps its hash", "[studi
     data << "speed [rpm],torque [N.m]\n";
     for (int i = 0; i < 8; ++i) data << 10 * i << "," << 0.8 - 0.05 * i << "\n";
   }
-  for (const std::string motor : {"ring-60", "drive-60", "warm-60", "worn-60"})
+  for (const std::string motor : {"ring-60", "drive-60", "warm-60", "worn-60", "moving-60"})
     std::filesystem::copy_file(twum::test::motor_path(motor), folder.path(motor + ".yaml"));
   for (const std::string_view kind : study_kinds()) {
     CAPTURE(kind);
     const std::string path = folder.path(std::string(kind) + ".yaml");
-    // A sweep needs a voltage, temperatures and lives the blocks of their motors.
+    // A sweep needs a voltage, temperatures and lives the blocks of their motors, a motion an inertia.
     const std::string motor = kind == FrequencyStudy::kName ? "drive-60"
                               : kind == HeatStudy::kName    ? "warm-60"
                               : kind == LifeStudy::kName    ? "worn-60"
+                              : kind == MotionStudy::kName  ? "moving-60"
                                                             : "ring-60";
     std::ofstream(path) << study_template(*find_study_kind(kind), motor + ".yaml");
     // Asked to stop at once: a directory with the resolved study and hardly a row.

@@ -46,6 +46,7 @@ inline MotorDesign unequal_motor(MotorDesign design = driven_motor()) {
   design.stator.imbalance = Imbalance{1.04, -0.03, 4e-4};
   design.stator.sensor = Sensor{0.03, 0.5e-9, 0.2e-9, 50e3, 1.2};
   design.rotor.mass = 0.1;
+  design.rotor.inertia = 7e-6;
   return design;
 }
 
@@ -69,7 +70,8 @@ inline bool of_driven_stator(Parameter parameter) {
     case P::sensor_load_capacitance:
     case P::sensor_load_resistance:
     case P::sensor_position:
-    case P::rotor_mass: return true;
+    case P::rotor_mass:
+    case P::rotor_inertia: return true;
     default: return false;
   }
 }

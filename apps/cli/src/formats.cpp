@@ -17,6 +17,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace twum::cli {
 namespace {
@@ -29,7 +30,15 @@ bool says_nothing(const std::string& ending) {
   return number || std::ranges::find(kPlain, ending) != kPlain.end();
 }
 
-std::string ending_of(const std::string& format) { return format == "markdown" ? "md" : format; }
+// Formats whose files end otherwise than with their name.
+constexpr std::array<std::pair<const char*, const char*>, 2> kEndings{
+    {{"markdown", "md"}, {"matlab", "m"}}};
+
+std::string ending_of(const std::string& format) {
+  for (const auto& [name, ending] : kEndings)
+    if (format == name) return ending;
+  return format;
+}
 
 }  // namespace
 
@@ -38,7 +47,10 @@ std::string format_of(const std::string& path) {
   if (extension.empty()) return extension;
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".md" ? "markdown" : extension.substr(1);
+  extension.erase(0, 1);
+  for (const auto& [name, ending] : kEndings)
+    if (extension == ending) return name;
+  return extension;
 }
 
 void require_ending(const std::string& path, const std::vector<std::string>& formats) {

@@ -2,6 +2,7 @@
 #include "licence.hpp"
 
 #include <twum/base/version.hpp>
+#include <twum/motion/integrator_version.hpp>
 #include <twum/optim/library_versions.hpp>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ const char* licence(bool gsl, bool ipopt) {
 
 std::string version_text() {
   std::vector<optim::LibraryVersion> linked = optim::library_versions();
+  linked.push_back({"SUNDIALS", motion::integrator_version()});
   std::erase_if(linked, [](const auto& library) { return library.version == "none"; });
   const auto has = [&](const char* name) {
     return std::ranges::any_of(linked, [&](const auto& library) { return library.name == name; });

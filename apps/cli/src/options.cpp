@@ -105,6 +105,14 @@ double parse_time(const std::string& option, std::string_view text) {
   return parse_option(option, text, {"s", "10 min"});
 }
 
+double parse_voltage(const std::string& option, std::string_view text) {
+  return parse_option(option, text, {"V", "120 V"});
+}
+
+double parse_inertia(const std::string& option, std::string_view text) {
+  return parse_option(option, text, {"kg.m^2", "1e-4 kg.m^2"});
+}
+
 double more_than_zero(const std::string& option, double value, const std::string& text) {
   if (value > 0) return value;
   throw InputError(option + ": " + studies::quoted(text) + "; expected more than 0");

@@ -39,12 +39,14 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,
                         std::size_t most);
 
-/// A speed given to an option [rad/s], a torque [N m], a frequency [Hz], a time [s].
+/// A speed given to an option [rad/s], a torque [N m], a frequency [Hz], a time [s], a voltage [V], a moment of inertia [kg m^2].
 /// @{
 double parse_speed(const std::string& option, std::string_view text);
 double parse_torque(const std::string& option, std::string_view text);
 double parse_frequency(const std::string& option, std::string_view text);
 double parse_time(const std::string& option, std::string_view text);
+double parse_voltage(const std::string& option, std::string_view text);
+double parse_inertia(const std::string& option, std::string_view text);
 /// @}
 
 /// A value given to an option that has to be more than 0. @throws InputError with the option and its text

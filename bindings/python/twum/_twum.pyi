@@ -187,6 +187,13 @@ class Motor:
         wear_depth_limit: _Quantity = ...,
         preload_spring: _Quantity = ...,
         lining_youngs_modulus: _Quantity = ...,
+        rotor_inertia: _Quantity = ...,
+        load_inertia: _Quantity = ...,
+        load_damping: _Quantity = ...,
+        load_friction: _Quantity = ...,
+        load_stiffness: _Quantity = ...,
+        load_neutral: _Quantity = ...,
+        off_resistance: _Quantity = ...,
         substrate_inner_radius: _Quantity = ...,
         substrate_outer_radius: _Quantity = ...,
         substrate_thickness: _Quantity = ...,
@@ -312,6 +319,13 @@ class Motor:
         wear_depth_limit: _Quantity = ...,
         preload_spring: _Quantity = ...,
         lining_youngs_modulus: _Quantity = ...,
+        rotor_inertia: _Quantity = ...,
+        load_inertia: _Quantity = ...,
+        load_damping: _Quantity = ...,
+        load_friction: _Quantity = ...,
+        load_stiffness: _Quantity = ...,
+        load_neutral: _Quantity = ...,
+        off_resistance: _Quantity = ...,
         substrate_inner_radius: _Quantity = ...,
         substrate_outer_radius: _Quantity = ...,
         substrate_thickness: _Quantity = ...,
@@ -509,6 +523,20 @@ class Motor:
     def preload_spring(self) -> float: ...
     @property
     def lining_youngs_modulus(self) -> float: ...
+    @property
+    def rotor_inertia(self) -> float: ...
+    @property
+    def load_inertia(self) -> float: ...
+    @property
+    def load_damping(self) -> float: ...
+    @property
+    def load_friction(self) -> float: ...
+    @property
+    def load_stiffness(self) -> float: ...
+    @property
+    def load_neutral(self) -> float: ...
+    @property
+    def off_resistance(self) -> float: ...
     @property
     def substrate_inner_radius(self) -> float: ...
     @property

@@ -22,6 +22,7 @@
 #include <twum/base/version.hpp>
 #include <twum/core/backward_wave.hpp>
 #include <twum/core/batch.hpp>
+#include <twum/core/contact_slopes.hpp>
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/core/frequency_response.hpp>
 #include <twum/core/heat.hpp>

@@ -5,6 +5,7 @@
 
 #include "design/geometry_rows.hpp"
 #include "design/layer_properties.hpp"
+#include "design/motion_rows.hpp"
 #include "design/motor_rows.hpp"
 #include "design/plate_numbers.hpp"
 #include "design/radial_shape.hpp"
@@ -26,12 +27,13 @@ using P = Parameter;
 
 // Every row, those of the stator's geometry last.
 constexpr auto kRows = [] {
-  std::array<ParameterRow,
-             kMotorRows.size() + kThermalRows.size() + kWearRows.size() + kGeometryRows.size()>
+  std::array<ParameterRow, kMotorRows.size() + kThermalRows.size() + kWearRows.size() +
+                               kMotionRows.size() + kGeometryRows.size()>
       rows{};
   auto next = std::copy(kMotorRows.begin(), kMotorRows.end(), rows.begin());
   next = std::copy(kThermalRows.begin(), kThermalRows.end(), next);
   next = std::copy(kWearRows.begin(), kWearRows.end(), next);
+  next = std::copy(kMotionRows.begin(), kMotionRows.end(), next);
   std::copy(kGeometryRows.begin(), kGeometryRows.end(), next);
   return rows;
 }();

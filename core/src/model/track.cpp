@@ -164,6 +164,7 @@ double most_pressed_radius(const DrivenMotor<double>& m) {
 
 template <typename S>
 S radial_ratio(const MotorModel<S>& m, const S& radius) {
+  if constexpr (!contact::kHasRadialMotion) return S(0.0);
   return radius / m.n * shape_slope(m, radius);
 }
 

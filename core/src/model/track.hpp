@@ -44,6 +44,7 @@ S shape_slope(const MotorModel<S>& m, const S& radius) {
 /// |q| at the contact radius (R1.1).
 template <typename S>
 S ratio_at_contact(const MotorModel<S>& m) {
+  if constexpr (!contact::kHasRadialMotion) return S(0.0);
   const S q = m.r / m.n * shape_slope(m, m.r);
   return value_of(q) < 0 ? S(-q) : q;
 }

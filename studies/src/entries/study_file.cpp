@@ -2,6 +2,7 @@
 #include <twum/studies/study_file.hpp>
 
 #include "entries/choice_shape.hpp"
+#include "entries/motion_checks.hpp"
 #include "entries/never_defined.hpp"
 #include "entries/plate_derivatives.hpp"
 #include "entries/study_kinds.hpp"
@@ -263,6 +264,7 @@ void check_with_motor(const Study& study, const MotorDesign& motor, YamlNode& ro
                       Diagnostics& diagnostics) {
   check_all_tolerances(study, motor, root, diagnostics);
   if (diagnostics.empty()) check_drive(study, motor, root, diagnostics);
+  if (diagnostics.empty()) check_motion(study, motor, root, diagnostics);
   if (diagnostics.empty()) check_derived(study, motor, root, diagnostics);
   if (diagnostics.empty() && sets_read) check_choices(study, motor, root, diagnostics);
   if (diagnostics.empty() && sets_read) check_defined(study, motor, root, diagnostics);

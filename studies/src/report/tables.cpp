@@ -99,14 +99,11 @@ Json only_true(Json row) {
   return row;
 }
 
-// What a motor file gives for temperatures, wear and a drive that follows: a page keeps it as it is.
+// What a motor file gives for temperatures, wear, motions and a drive that follows: a page keeps it as it is.
 bool is_kept(std::string_view entry) {
-  constexpr std::array<std::string_view, 6> kKept{"thermal.",
-                                                  "wear.",
-                                                  "operation",
-                                                  "stator.control",
-                                                  "stator.frequency_range",
-                                                  "stator.radial_motion"};
+  constexpr std::array<std::string_view, 9> kKept{
+      "thermal.", "wear.",   "operation",     "stator.control",      "stator.frequency_range",
+      "load.",    "driver.", "rotor.inertia", "stator.radial_motion"};
   return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
 }
 

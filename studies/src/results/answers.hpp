@@ -28,6 +28,7 @@ Json answer_json(const FrequencyResult& result);
 Json answer_json(const MapResult& result);
 Json answer_json(const HeatResult& result);
 Json answer_json(const LifeResult& result);
+Json answer_json(const MotionResult& result);
 Json answer_json(const SweepResult& result);
 Json answer_json(const SensitivityResult& result);
 Json answer_json(const OptimizeResult& result);

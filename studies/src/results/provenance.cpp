@@ -2,6 +2,7 @@
 #include "results/provenance.hpp"
 
 #include <twum/io/library_versions.hpp>
+#include <twum/motion/integrator_version.hpp>
 #include <twum/optim/library_versions.hpp>
 
 #include <array>
@@ -24,6 +25,7 @@ Json build_json() {
   Json libraries = Json::object();
   for (const optim::LibraryVersion& library : optim::library_versions())
     libraries[library.name] = library.version;
+  libraries["SUNDIALS"] = motion::integrator_version();
   for (const auto& [name, version] : file_library_versions()) libraries[name] = version;
   return {{"compiler", compiler_text()}, {"libraries", libraries}};
 }

@@ -41,6 +41,7 @@ const char* kind_words(StudyKind kind) {
     case StudyKind::map: return "map over speed and torque";
     case StudyKind::heat: return "temperatures";
     case StudyKind::life: return "life";
+    case StudyKind::motion: return "motion in time";
   }
   return "";
 }
@@ -48,7 +49,7 @@ const char* kind_words(StudyKind kind) {
 // Whether an evaluation is one point of a motor.
 bool of_points(StudyKind kind) {
   return kind == StudyKind::curve || kind == StudyKind::frequency || kind == StudyKind::map ||
-         kind == StudyKind::heat || kind == StudyKind::life;
+         kind == StudyKind::heat || kind == StudyKind::life || kind == StudyKind::motion;
 }
 
 struct Badge {

@@ -22,6 +22,7 @@ Headline headline_of(const FrequencyResult& answer, const StudyResult& result);
 Headline headline_of(const MapResult& answer, const StudyResult& result);
 Headline headline_of(const HeatResult& answer, const StudyResult& result);
 Headline headline_of(const LifeResult& answer, const StudyResult& result);
+Headline headline_of(const MotionResult& answer, const StudyResult& result);
 /// @}
 
 /// The headline where no design keeps every limit: what is at fault, and the least that would make it possible.
@@ -54,6 +55,7 @@ std::vector<Section> sections_of(const FrequencyResult& answer, const Sources& s
 std::vector<Section> sections_of(const MapResult& answer, const Sources& sources);
 std::vector<Section> sections_of(const HeatResult& answer, const Sources& sources);
 std::vector<Section> sections_of(const LifeResult& answer, const Sources& sources);
+std::vector<Section> sections_of(const MotionResult& answer, const Sources& sources);
 /// @}
 
 /// Why the contact efficiency is above the efficiency, where both are among the metrics; empty otherwise.

@@ -27,6 +27,7 @@ std::vector<std::string> shortest_studies() {
       "{kind: map}",
       "{kind: heat, torque: 0.5 N.m}",
       "{kind: life, torque: 0.5 N.m}",
+      "{kind: motion, duration: 10 ms}",
       "{kind: optimize, maximize: peak_power, " + range + "}",
       "{kind: pareto, objectives: [{maximize: peak_power}, {minimize: preload}], " + range + "}",
       "{kind: size, duty: [{torque: 0.5 N.m, speed: 100 rpm}], " + range + "}",
@@ -90,8 +91,10 @@ TEST_CASE("a default that is written out leaves the study what it is", "[studies
   std::set<std::string> written;
   for (const std::string& text : shortest_studies()) {
     CAPTURE(text);
-    const bool driven = text.find("kind: frequency") != std::string::npos;  // which needs a voltage
-    const std::string motor = driven ? "drive-60" : "elastic-layer";
+    // A sweep of the frequency needs a voltage, a motion an inertia.
+    const bool driven = text.find("kind: frequency") != std::string::npos;
+    const bool moving = text.find("kind: motion") != std::string::npos;
+    const std::string motor = driven ? "drive-60" : moving ? "moving-60" : "elastic-layer";
     const StudyFile file = study_in(folder, text, motor);
     const ResolvedStudy study = resolve(file);
     const std::string kind(to_string(file.kind()));

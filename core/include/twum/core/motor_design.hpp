@@ -165,8 +165,28 @@ struct Rotor {
   double taper{0};
   /// [kg], used for backward waves only (D6.2); without it the rotor has no inertia in the axial direction
   std::optional<double> mass{};
+  std::optional<double>
+      inertia{};  ///< J_r of rotor and shaft about the axis [kg m^2]; motions need it
   /// True if all members are equal.
   bool operator==(const Rotor&) const = default;
+};
+
+/// What the shaft drives (theory of motion, section 1).
+struct ShaftLoad {
+  double inertia{0};    ///< J_L [kg m^2]
+  double damping{0};    ///< c_L, viscous friction [N m s]
+  double friction{0};   ///< T_c, Coulomb friction [N m]
+  double stiffness{0};  ///< k_L of a spring about the neutral angle [N m/rad]
+  double neutral{0};    ///< theta_0, angle at which the spring is relaxed [rad]
+  /// True if all members are equal.
+  bool operator==(const ShaftLoad&) const = default;
+};
+
+/// The electronics that feed the phases.
+struct Driver {
+  double off_resistance{0};  ///< R_off, across each phase while the drive is off [ohm]; 0: shorted
+  /// True if all members are equal.
+  bool operator==(const Driver&) const = default;
 };
 
 /// What a body of the motor has for its warm-up.
@@ -262,13 +282,15 @@ struct Wear {
 /// contact at the contact radius and without modal damping. The file has `radial_slices: auto`, by which its peak power
 /// differs by 6 %.
 struct MotorDesign {
-  Stator stator{};                     ///< the vibrating ring
-  ContactLayer layer{};                ///< between stator and rotor
-  Friction friction{};                 ///< of the contact
-  double preload{160};                 ///< F_N, total axial force [N]
-  Rotor rotor{};                       ///< pressed on the stator
-  std::optional<Thermal> thermal{};    ///< without it the motor has no temperatures
-  std::optional<Wear> wear{};          ///< without it the motor does not wear
+  Stator stator{};                   ///< the vibrating ring
+  ContactLayer layer{};              ///< between stator and rotor
+  Friction friction{};               ///< of the contact
+  double preload{160};               ///< F_N, total axial force [N]
+  Rotor rotor{};                     ///< pressed on the stator
+  std::optional<Thermal> thermal{};  ///< without it the motor has no temperatures
+  std::optional<Wear> wear{};        ///< without it the motor does not wear
+  std::optional<ShaftLoad> load{};   ///< of motions; without it the rotor turns alone
+  std::optional<Driver> driver{};    ///< of motions; without it phases are shorted while it is off
   std::vector<LoadPhase> operation{};  ///< what it does, repeated for ever; may be empty
   /// True if all members are equal.
   bool operator==(const MotorDesign&) const = default;

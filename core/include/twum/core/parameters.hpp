@@ -93,6 +93,14 @@ enum class Parameter : unsigned char {
   wear_depth_limit,
   preload_spring,
   lining_youngs_modulus,
+  // of motions
+  rotor_inertia,
+  load_inertia,
+  load_damping,
+  load_friction,
+  load_stiffness,
+  load_neutral,
+  off_resistance,
   // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
   substrate_inner_radius,
   substrate_outer_radius,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/motion/motion.hpp>
 #include <twum/motors/column_choice.hpp>
 #include <twum/motors/statistic.hpp>
 #include <twum/motors/varied_parameters.hpp>
@@ -126,6 +127,65 @@ struct LifeStudy {
 
   /// The load; none: the operation.
   std::optional<LoadPoint> load() const;
+};
+
+/// How motions are computed.
+enum class MotionEngine : unsigned char {
+  averaged  ///< one wave, averaged over each vibration
+};
+
+/// A number of a motion that is asked for.
+struct MotionMeasure {
+  /// What it is.
+  enum class Kind : unsigned char { time_to, overshoot, peak, angle_after, energy, time_of };
+  std::string text;               ///< as typed, such as "time_to(speed, 90 %)"
+  Kind kind{Kind::time_to};       ///< what it is
+  std::string column{};           ///< of time_to, overshoot and peak; the event of time_of
+  std::optional<double> share{};  ///< of the value before the drive is switched off, of time_to
+  double at{0};                   ///< a level in SI, or a time [s]
+  double to{0};                   ///< end of an interval [s]
+};
+
+/// A motor in time: starts, stops, changes of load and drive; of one motor, or of a family over one parameter.
+struct MotionStudy {
+  static constexpr std::string_view kName{"motion"};  ///< as in `kind:`
+  static Shape<MotionStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  /// What the shaft drives; what is left out is the motor's.
+  struct Load {
+    std::optional<motion::Profile> torque{};  ///< against positive motion [N m]
+    std::optional<double> inertia{};          ///< [kg m^2]
+    std::optional<double> damping{};          ///< [N m s]
+    std::optional<double> friction{};         ///< [N m]
+    std::optional<double> stiffness{};        ///< [N m/rad]
+    std::optional<double> neutral{};          ///< [rad]
+  };
+  /// What is done to the drive; what is left out is the motor's.
+  struct Drive {
+    std::optional<motion::Profile> voltage{};      ///< [V]
+    std::optional<motion::Profile> amplitude{};    ///< [m]
+    std::optional<motion::Profile> frequency{};    ///< [Hz]
+    std::vector<motion::Interval> switched_off{};  ///< may be empty
+    std::vector<motion::Interval> reversed{};      ///< phases swapped; may be empty
+  };
+  /// What is stored.
+  struct Output {
+    std::optional<double> step{};        ///< between rows [s]; none: a thousandth of the duration
+    std::vector<std::size_t> columns{};  ///< of the columns of a motion; none: all
+  };
+  std::optional<CurveStudy::Family> family{};   ///< none: the motor alone
+  double duration{0};                           ///< [s]
+  MotionEngine engine{MotionEngine::averaged};  ///< of the motion
+  motion::InitialState initial{};               ///< at rest
+  Drive drive{};                                ///< over time
+  Load load{};                                  ///< over time
+  Output output{};                              ///< what is stored
+  std::vector<MotionMeasure> measure{};         ///< may be empty
+
+  /// Time between rows [s].
+  double step() const;
 };
 
 /// How the designs of a sweep are chosen.
@@ -313,9 +373,9 @@ struct CalibrateStudy {
 };
 
 /// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.
-using Study =
-    std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy, SizeStudy,
-                 UncertaintyStudy, CalibrateStudy, FrequencyStudy, MapStudy, HeatStudy, LifeStudy>;
+using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
+                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy, MapStudy,
+                           HeatStudy, LifeStudy, MotionStudy>;
 
 /// The kinds of study.
 enum class StudyKind : unsigned char {
@@ -330,7 +390,8 @@ enum class StudyKind : unsigned char {
   frequency,
   map,
   heat,
-  life
+  life,
+  motion
 };
 
 /// The kind of a study.

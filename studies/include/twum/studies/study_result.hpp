@@ -34,7 +34,7 @@ struct FailureRegion {
 /// Answer of a study, by kind.
 using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
                             ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult,
-                            MapResult, HeatResult, LifeResult>;
+                            MapResult, HeatResult, LifeResult, MotionResult>;
 
 /// Result of a study. A size study has the answer of optimize.
 struct StudyResult {

@@ -121,6 +121,8 @@ inline constexpr NamedDimension kDimensions[] = {
     {"K", "temperature"},
     {"N.s", "impulse"},
     {"kg.m^2", "moment of inertia"},
+    {"N.m.s", "damping of a rotation"},
+    {"N.m/rad", "stiffness of a rotation"},
     {"W/K", "conductance for heat"},
     {"J/K", "heat capacity"},
     {"m^2/N", "specific wear"},

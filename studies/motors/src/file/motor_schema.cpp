@@ -247,6 +247,8 @@ constexpr Section kSections[] = {
     {"thermal.one_node", "the whole motor as one mass, from a data sheet, in place of the others",
      nullptr, false},
     {"wear", "how the track wears, and what ends its life", nullptr, false},
+    {"load", "what the shaft drives, for motions in time", nullptr, false},
+    {"driver", "the electronics that feed the phases", nullptr, false},
     {"stator.geometry",
      "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
      nullptr, false},

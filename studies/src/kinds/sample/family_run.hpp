@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -29,13 +30,15 @@ class FamilyRun : public StudyKindRun {
   }
 
   KindAnswer run(RunContext& context) final {
+    stop_ = context.stop;
     Result result = frame();
     result.family = family_;
     bool complete = true;
     for (std::size_t i = 0; complete && i < motors_.size(); ++i) {
       if (context.stop.stop_requested()) return {StudyOutcome::interrupted, std::move(result)};
       result.members.push_back(member(i));
-      complete = store_rows(context, i, points_, points_ * i, points_ * motors_.size());
+      complete = !asked_to_stop() &&
+                 store_rows(context, i, points_, points_ * i, points_ * motors_.size());
     }
     const bool any =
         std::ranges::any_of(result.members, [&](const Member& one) { return has_answer(one); });
@@ -59,6 +62,9 @@ class FamilyRun : public StudyKindRun {
       : motors_(family_motors(family, base)), points_(points), computed_(motors_.size()) {
     if (family) family_ = family_column(family->parameter);
   }
+
+  /// A long computation of one motor ends where this is true; the rows of the motor are then not stored.
+  bool asked_to_stop() const { return stop_.stop_requested(); }
 
   const std::vector<FamilyMotor>& motors() const { return motors_; }
   std::uint64_t points() const { return points_; }
@@ -85,6 +91,7 @@ class FamilyRun : public StudyKindRun {
   std::vector<FamilyMotor> motors_;
   std::uint64_t points_;
   std::optional<StoredColumn> family_;
+  std::stop_token stop_;
   mutable std::mutex mutex_;  // of what follows
   mutable std::vector<std::optional<Member>> computed_;
 };

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "design/motor_rows.hpp"
+
+namespace twum {
+namespace motion_rows {
+
+using P = Parameter;
+using motor_rows::kNoAlternative;
+
+/// Rows of the parameter table for motions in time. Every motor does without them.
+inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
+    {{P::rotor_inertia, "rotor_inertia", "", "kg.m^2", "rotor.inertia", 1e-18, 1e6, false, false,
+      kNoAlternative, "7e-6 kg.m^2", "moment of inertia of rotor and shaft",
+      "from a silicon disc of 1 mm to a flywheel of 100 t", "none; a motion needs it", false},
+     optional_number<&Rotor::inertia>()},
+    {{P::load_inertia, "load_inertia", "", "kg.m^2", "load.inertia", 0, 1e6, false, false,
+      kNoAlternative, "1e-4 kg.m^2", "moment of inertia of what the shaft drives",
+      "0 is a bare rotor; the largest is that of rotor_inertia", "0 kg.m^2", false},
+     in_block<&MotorDesign::load, &ShaftLoad::inertia>()},
+    {{P::load_damping, "load_damping", "", "N.m.s", "load.damping", 0, 1e6, false, false,
+      kNoAlternative, "1e-3 N.m.s", "viscous friction of the load, torque over speed",
+      "0 is a load without viscous friction; the largest stops any motor", "0 N.m.s", false},
+     in_block<&MotorDesign::load, &ShaftLoad::damping>()},
+    {{P::load_friction, "load_friction", "", "N.m", "load.friction", 0, 1e6, false, false,
+      kNoAlternative, "0.02 N.m", "Coulomb friction of the load",
+      "0 is a load without dry friction; the largest stops any motor", "0 N.m", false},
+     in_block<&MotorDesign::load, &ShaftLoad::friction>()},
+    {{P::load_stiffness, "load_stiffness", "", "N.m/rad", "load.stiffness", 0, 1e9, false, false,
+      kNoAlternative, "0.5 N.m/rad", "spring of the load about load_neutral",
+      "0 is a load without spring; the largest is stiffer than any shaft", "0 N.m/rad", false},
+     in_block<&MotorDesign::load, &ShaftLoad::stiffness>()},
+    {{P::load_neutral, "load_neutral", "", "rad", "load.neutral", -1e4, 1e4, false, false,
+      kNoAlternative, "0.3 rad", "angle at which the load's spring is relaxed",
+      "more than a thousand turns are no spring", "0 rad", false},
+     in_block<&MotorDesign::load, &ShaftLoad::neutral>()},
+    {{P::off_resistance, "off_resistance", "", "ohm", "driver.off_resistance", 0, 1e15, false,
+      false, kNoAlternative, "459 ohm", "resistance across each phase while the drive is off",
+      "0 shorts the phases; the largest is better than any insulator", "0 ohm", false},
+     in_block<&MotorDesign::driver, &Driver::off_resistance>()},
+})};
+
+}  // namespace motion_rows
+
+using motion_rows::kMotionRows;
+}  // namespace twum

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// @file
+/// Everything of twum::motion: a motor in time.
+
+/// @namespace twum::motion
+/// A motor in time: starts, stops, and changes of load and drive (docs/theory/motion.md). The rules of twum.hpp's libraries
+/// hold: SI units, values in and out, InputError for a wrong argument.
+
+#include <twum/motion/integrator_version.hpp>
+#include <twum/motion/linear_plant.hpp>
+#include <twum/motion/motion.hpp>
+#include <twum/motion/profile.hpp>

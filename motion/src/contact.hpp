@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model.hpp"
+
+#include <string>
+
+namespace twum::motion {
+
+/// What the contact does to wave and rotor at one instant.
+struct ContactForces {
+  Complex stiffness{0, 0};  ///< F / A [N/m]
+  double torque{0};         ///< T [N m]
+  double stator_power{0}, friction_power{0};
+  bool known{true};  ///< false where the contact has no answer
+};
+
+/// The contact of a motor under any wave, counted.
+class Contact {
+ public:
+  explicit Contact(const MotionModel& model)
+      : model_(&model), floor_(1e-7 * model.full_contact_amplitude) {}
+
+  /// @param amplitude  A [m]; below 1e-7 A_1, where F is linear in A (C20.2, C20.3), F / A and T are those at 1e-7 A_1
+  /// @param speed      of the rotor in the direction of the wave [rad/s]
+  /// @param frequency  of the wave [Hz]
+  ContactForces at(double amplitude, double speed, double frequency);
+
+  /// How many contacts were solved.
+  long count() const { return count_; }
+  /// Why the last contact without an answer has none; "ok" if all have one.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  ContactForces solved(double amplitude, double speed, double frequency);
+
+  const MotionModel* model_;
+  double floor_;
+  long count_{0};
+  std::string failure_{"ok"};
+  double last_amplitude_{-1}, last_speed_{0}, last_frequency_{0};
+  ContactForces last_{};
+};
+
+}  // namespace twum::motion

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/motion/integrator_version.hpp>
+
+#include <cvodes/cvodes.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_version.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <exception>
+#include <type_traits>
+#include <utility>
+
+namespace twum::motion {
+namespace {
+
+// What SUNDIALS makes, and how it is freed.
+struct Free {
+  void operator()(N_Vector vector) const { N_VDestroy(vector); }
+  void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
+  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
+  void operator()(SUNContext context) const { SUNContext_Free(&context); }
+};
+template <typename Pointer>
+using Held = std::unique_ptr<std::remove_pointer_t<Pointer>, Free>;
+
+struct FreeMemory {
+  void operator()(void* memory) const { CVodeFree(&memory); }
+};
+
+SUNContext new_context() {
+  SUNContext context = nullptr;
+  TWUM_ASSERT(SUNContext_Create(nullptr, &context) == 0);
+  return context;
+}
+
+std::span<double> numbers(N_Vector vector) {
+  return {N_VGetArrayPointer(vector), static_cast<std::size_t>(N_VGetLength(vector))};
+}
+
+void ignore_message(int, const char*, const char*, char*, void*) {}  // step() tells the failure
+
+constexpr int kShorterStep = 1, kGiveUp = -1;
+
+// Share of a step's tolerated error that Newton's iteration may leave. By default it is 0.1: more contacts, and no smaller error
+// of a start.
+constexpr double kNewtonShare = 1;
+
+}  // namespace
+
+struct Integrator::Parts {
+  Parts(OdeSystem& of, std::size_t states, int event_count)
+      : system(&of),
+        events(event_count),
+        context(new_context()),
+        y(N_VNew_Serial(static_cast<sunindextype>(states), context.get())),
+        shown(N_VNew_Serial(static_cast<sunindextype>(states), context.get())),
+        matrix(SUNDenseMatrix(static_cast<sunindextype>(states), static_cast<sunindextype>(states),
+                              context.get())),
+        solver(SUNLinSol_Dense(y.get(), matrix.get(), context.get())),
+        memory(CVodeCreate(CV_BDF, context.get())) {}
+
+  // Runs a callback of SUNDIALS, through which no exception may pass.
+  template <typename Call>
+  int guarded(Call call) {
+    try {
+      return call() ? 0 : kShorterStep;
+    } catch (...) {
+      error = std::current_exception();
+      return kGiveUp;
+    }
+  }
+
+  static int rates(realtype time, N_Vector y, N_Vector dy, void* parts) {
+    Parts& own = *static_cast<Parts*>(parts);
+    return own.guarded([&] { return own.system->rates(time, numbers(y), numbers(dy)); });
+  }
+  static int jacobian(realtype time, N_Vector y, N_Vector, SUNMatrix matrix, void* parts, N_Vector,
+                      N_Vector, N_Vector) {
+    Parts& own = *static_cast<Parts*>(parts);
+    const std::size_t n = numbers(y).size();
+    return own.guarded([&] {
+      return own.system->jacobian(time, numbers(y), {SUNDenseMatrix_Data(matrix), n * n});
+    });
+  }
+  static int roots(realtype time, N_Vector y, realtype* values, void* parts) {
+    Parts& own = *static_cast<Parts*>(parts);
+    return own.guarded([&] {
+      return own.system->events(time, numbers(y), {values, static_cast<std::size_t>(own.events)});
+    });
+  }
+
+  OdeSystem* system;
+  int events;
+  Held<SUNContext> context;  // freed last
+  Held<N_Vector> y, shown;
+  Held<SUNMatrix> matrix;
+  Held<SUNLinearSolver> solver;
+  std::unique_ptr<void, FreeMemory> memory;
+  std::exception_ptr error;
+  double time{0};
+  long earlier_steps{0};  // before the last restart
+};
+
+Integrator::Integrator(OdeSystem& system, int event_count, double tolerance,
+                       std::vector<double> absolute)
+    : parts_(std::make_unique<Parts>(system, absolute.size(), event_count)) {
+  Parts& own = *parts_;
+  void* memory = own.memory.get();
+  TWUM_ASSERT(own.context && own.y && own.shown && own.matrix && own.solver && memory);
+  N_VConst(0, own.y.get());
+  std::ranges::copy(absolute, numbers(own.shown.get()).begin());
+  const bool made =
+      CVodeInit(memory, Parts::rates, 0, own.y.get()) == CV_SUCCESS &&
+      CVodeSetUserData(memory, &own) == CV_SUCCESS &&
+      CVodeSVtolerances(memory, tolerance, own.shown.get()) == CV_SUCCESS &&
+      CVodeSetLinearSolver(memory, own.solver.get(), own.matrix.get()) == CV_SUCCESS &&
+      CVodeSetJacFn(memory, Parts::jacobian) == CV_SUCCESS &&
+      CVodeSetNonlinConvCoef(memory, kNewtonShare) == CV_SUCCESS &&
+      CVodeRootInit(memory, event_count, Parts::roots) == CV_SUCCESS &&
+      CVodeSetErrHandlerFn(memory, ignore_message, nullptr) == CV_SUCCESS &&
+      CVodeSetNoInactiveRootWarn(memory) == CV_SUCCESS;
+  TWUM_ASSERT(made);
+}
+
+Integrator::~Integrator() = default;
+
+void Integrator::restart(double time, std::span<const double> y, double stop) {
+  Parts& own = *parts_;
+  own.earlier_steps = steps();
+  own.time = time;
+  std::ranges::copy(y, numbers(own.y.get()).begin());
+  TWUM_ASSERT(CVodeReInit(own.memory.get(), time, own.y.get()) == CV_SUCCESS);
+  TWUM_ASSERT(CVodeSetStopTime(own.memory.get(), stop) == CV_SUCCESS);
+}
+
+StepEnd Integrator::step() {
+  Parts& own = *parts_;
+  const double far = own.time + 1;  // only its sign counts where one step is taken
+  const int end = CVode(own.memory.get(), far, own.y.get(), &own.time, CV_ONE_STEP);
+  if (own.error) std::rethrow_exception(std::exchange(own.error, nullptr));
+  switch (end) {
+    case CV_SUCCESS: return StepEnd::advanced;
+    case CV_TSTOP_RETURN: return StepEnd::stop_time;
+    case CV_ROOT_RETURN: return StepEnd::event;
+    default: return StepEnd::failed;
+  }
+}
+
+double Integrator::time() const { return parts_->time; }
+
+std::span<const double> Integrator::y() const { return numbers(parts_->y.get()); }
+
+std::vector<double> Integrator::at(double time, int derivative) const {
+  const Parts& own = *parts_;
+  CVodeGetDky(own.memory.get(), time, derivative, own.shown.get());
+  const std::span<double> y = numbers(own.shown.get());
+  return {y.begin(), y.end()};
+}
+
+long Integrator::steps() const {
+  long steps = 0;
+  CVodeGetNumSteps(parts_->memory.get(), &steps);
+  return parts_->earlier_steps + steps;
+}
+
+bool has_integrator() noexcept { return true; }
+
+std::string integrator_version() {
+  char text[32] = "";
+  SUNDIALSGetVersion(text, sizeof text);
+  return text;
+}
+
+}  // namespace twum::motion

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::motion {
+namespace {
+
+// Speed at which the contact of a rotor is taken that is about to stop [rad/s]: the rates then stay smooth up to the event, and
+// at rest they are the limit from the rotor's side. It moves a torque by 1e-11 of itself.
+constexpr double kSmallestSpeed = 1e-12;
+
+// Relative step of the differences for the Jacobian. Torque and force are exact to some 1e-13.
+constexpr double kStep = 1e-6;
+
+Complex zeta_of(std::span<const double> y) { return {y[kReal], y[kImaginary]}; }
+
+// dA / dzeta
+Complex direction(Complex zeta) { return zeta == Complex{0, 0} ? zeta : zeta / std::abs(zeta); }
+
+}  // namespace
+
+double Equations::omega(double time) const {
+  return 2 * std::numbers::pi * stretch_->frequency.at(time);
+}
+
+double Equations::amplitude(double time, std::span<const double> y) const {
+  return model_->driven ? std::abs(zeta_of(y)) : stretch_->amplitude.at(time);
+}
+
+double Equations::load(double time, double angle) const {
+  return stretch_->load_torque.at(time) + model_->spring(angle);
+}
+
+double Equations::contact_speed(double speed) const {
+  return mode_.held ? 0 : mode_.side * std::max(mode_.side * speed, kSmallestSpeed);
+}
+
+ContactForces Equations::forces_at(double time, double amplitude, double speed) {
+  const double d = stretch_->direction;
+  ContactForces f = contact_.at(amplitude, d * speed, stretch_->frequency.at(time));
+  f.torque *= d;
+  return f;
+}
+
+ContactForces Equations::forces(double time, std::span<const double> y) {
+  return forces_at(time, amplitude(time, y), contact_speed(y[kSpeed]));
+}
+
+HoldingLimits Equations::holding_limits(double time, std::span<const double> y) {
+  const double a = amplitude(time, y), along_wave = stretch_->direction;
+  const ContactForces one = forces_at(time, a, along_wave * kSmallestSpeed);
+  const double against_wave = -along_wave;
+  ContactForces other = one;
+  if (model_->mirrors_at_rest)
+    other.torque = along_wave * std::abs(one.torque);
+  else
+    other = forces_at(time, a, against_wave * kSmallestSpeed);
+  const bool known = one.known && other.known;
+  return along_wave > 0 ? HoldingLimits{one.torque, other.torque, known}
+                        : HoldingLimits{other.torque, one.torque, known};
+}
+
+Complex Equations::capacitive_admittance(double time) const {
+  return kI * omega(time) * model_->capacitance * Complex{1, -model_->loss_tangent};
+}
+
+Equations::Electrical Equations::electrical(double time, std::span<const double> y) const {
+  const double w = omega(time);
+  const Complex zeta = zeta_of(y);
+  const Complex u = stretch_->off ? model_->off_voltage(w) * zeta
+                                  : Complex{std::numbers::sqrt2 * stretch_->voltage.at(time), 0};
+  return {u, capacitive_admittance(time) * u + kI * w * model_->force_factor * zeta};  // (D4.1)
+}
+
+// Derivative of the electrical power along a step of zeta.
+double Equations::power_slope(double time, const Electrical& at, Complex dzeta) const {
+  const double w = omega(time);
+  const Complex du = stretch_->off ? model_->off_voltage(w) * dzeta : Complex{0, 0};
+  const Complex di = capacitive_admittance(time) * du + kI * w * model_->force_factor * dzeta;
+  return (du * std::conj(at.current) + at.voltage * std::conj(di)).real();
+}
+
+// zeta' = drive + growth zeta, of
+// i m_s (omega + omega_b) zeta' = Theta u - (k_s - omega^2 m_s + i omega d_s + F / A) zeta   (M2.1)
+struct Equations::WaveRate {
+  Complex drive, growth;
+  Complex divisor;   ///< i m_s (omega + omega_b)
+  double free_rate;  ///< omega_b
+  double rates;      ///< omega + omega_b
+
+  Complex of(Complex zeta) const { return drive + growth * zeta; }
+};
+
+Equations::WaveRate Equations::wave_rate(double time, Complex contact_stiffness) const {
+  const double w = omega(time), m = model_->mass;
+  const double free = std::sqrt((model_->stiffness_of_wave + contact_stiffness.real()) / m);
+  Complex stiffness =
+      model_->stiffness_of_wave - w * w * m + kI * w * model_->damping + contact_stiffness;
+  double drive = 0;
+  if (stretch_->off)
+    stiffness -= model_->force_factor * model_->off_voltage(w);  // (M3.2)
+  else
+    drive = model_->drive_force(stretch_->voltage.at(time));
+  const Complex divisor = kI * m * (w + free);
+  return {drive / divisor, -stiffness / divisor, divisor, free, w + free};
+}
+
+bool Equations::rates(double time, std::span<const double> y, std::span<double> dy) {
+  const ContactForces f = forces(time, y);
+  if (!f.known) return false;
+  std::ranges::fill(dy, 0.0);
+  if (model_->driven) {
+    const WaveRate wave = wave_rate(time, f.stiffness);
+    const Complex zeta = zeta_of(y);
+    const Complex rate = stretch_->off ? wave.growth.real() * zeta : wave.of(zeta);
+    dy[kReal] = rate.real(), dy[kImaginary] = rate.imag();
+    dy[kTurn] = stretch_->off ? wave.growth.imag() : 0;
+    dy[kEnergy] = electrical(time, y).power();
+  }
+  if (mode_.held) return true;
+  dy[kSpeed] = (f.torque - load(time, y[kAngle]) - model_->load_damping * y[kSpeed] -
+                mode_.side * model_->load_friction) /
+               model_->inertia;  // (M2.2)
+  dy[kAngle] = y[kSpeed];
+  return true;
+}
+
+// Derivatives of the contact at an instant, by differences. The torque changes over speeds of the order of the crest's.
+std::optional<Equations::ContactDerivatives> Equations::contact_derivatives(
+    double time, std::span<const double> y) {
+  constexpr double kLeast = 1e-15;  // without a preload nothing has a size, and nothing changes
+  const double a = amplitude(time, y), speed = contact_speed(y[kSpeed]);
+  const double size = std::max({a, 1e-3 * model_->full_contact_amplitude, kLeast});
+  const double crest = model_->crest_per_amplitude * omega(time) * size;
+  const double da = kStep * size, dw = mode_.side * kStep * std::max(std::abs(speed), 0.1 * crest);
+  const ContactForces here = forces_at(time, a, speed);
+  const ContactForces larger = model_->driven ? forces_at(time, a + da, speed) : here;
+  const ContactForces faster = mode_.held ? here : forces_at(time, a, speed + dw);
+  if (!here.known || !larger.known || !faster.known) return {};
+  return ContactDerivatives{here.stiffness, (larger.stiffness - here.stiffness) / da,
+                            (faster.stiffness - here.stiffness) / dw,
+                            (larger.torque - here.torque) / da, (faster.torque - here.torque) / dw};
+}
+
+bool Equations::jacobian(double time, std::span<const double> y, std::span<double> jacobian) {
+  std::ranges::fill(jacobian, 0.0);
+  const Entries entries{jacobian};
+  const auto contact = contact_derivatives(time, y);
+  if (!contact) return false;
+  if (model_->driven) add_wave(entries, time, y, *contact);
+  if (!mode_.held) add_rotor(entries, y, *contact);
+  return true;
+}
+
+void Equations::add_wave(const Entries& entry, double time, std::span<const double> y,
+                         const ContactDerivatives& contact) const {
+  const Complex zeta = zeta_of(y);
+  const WaveRate wave = wave_rate(time, contact.stiffness);
+  const auto put = [&](std::size_t in, Complex dzeta, Complex dstiffness) {
+    const double dfree = dstiffness.real() / (2 * model_->mass * wave.free_rate);
+    const Complex dgrowth = -dstiffness / wave.divisor - wave.growth * dfree / wave.rates;
+    const Complex ddrive = -wave.drive * dfree / wave.rates;
+    const Complex d = stretch_->off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
+                                    : ddrive + wave.growth * dzeta + dgrowth * zeta;
+    entry(kReal, in) = d.real(), entry(kImaginary, in) = d.imag();
+    if (stretch_->off) entry(kTurn, in) = dgrowth.imag();
+  };
+  const Complex along = direction(zeta);
+  put(kReal, 1, along.real() * contact.stiffness_per_amplitude);
+  put(kImaginary, kI, along.imag() * contact.stiffness_per_amplitude);
+  put(kSpeed, 0, contact.stiffness_per_speed);
+  const Electrical terminals = electrical(time, y);
+  entry(kEnergy, kReal) = power_slope(time, terminals, 1);
+  entry(kEnergy, kImaginary) = power_slope(time, terminals, kI);
+}
+
+void Equations::add_rotor(const Entries& entry, std::span<const double> y,
+                          const ContactDerivatives& contact) const {
+  const double inertia = model_->inertia;
+  const Complex along = direction(zeta_of(y));
+  entry(kSpeed, kReal) = along.real() * contact.torque_per_amplitude / inertia;
+  entry(kSpeed, kImaginary) = along.imag() * contact.torque_per_amplitude / inertia;
+  entry(kSpeed, kSpeed) = (contact.torque_per_speed - model_->load_damping) / inertia;
+  entry(kSpeed, kAngle) = -model_->stiffness / inertia;
+  entry(kAngle, kSpeed) = 1;
+}
+
+bool Equations::events(double time, std::span<const double> y, std::span<double> values) {
+  values[0] = values[1] = 1;
+  if (!mode_.held) {
+    values[0] = mode_.side * y[kSpeed];
+    return true;
+  }
+  const HoldingLimits limits = holding_limits(time, y);
+  if (!limits.known) return false;
+  const double torque = load(time, y[kAngle]);
+  values[0] = torque - limits.forward + model_->load_friction;
+  values[1] = limits.backward + model_->load_friction - torque;
+  return true;
+}
+
+}  // namespace twum::motion

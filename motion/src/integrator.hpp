@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace twum::motion {
+
+/// A system of differential equations y' = f(t, y) with functions whose zeros are events.
+class OdeSystem {
+ public:
+  virtual ~OdeSystem() = default;
+  /// y'. False where there is none: the integrator then tries a shorter step.
+  virtual bool rates(double time, std::span<const double> y, std::span<double> dy) = 0;
+  /// Derivative of y'[i] in y[j] at jacobian[j n + i], for n states. False as above.
+  virtual bool jacobian(double time, std::span<const double> y, std::span<double> jacobian) = 0;
+  /// Functions whose zeros end a step. False as above.
+  virtual bool events(double time, std::span<const double> y, std::span<double> values) = 0;
+};
+
+/// How a step of the integrator ended.
+enum class StepEnd : unsigned char { advanced, event, stop_time, failed };
+
+/// Integrates a system step by step: backward differentiation of variable order and step (CVODES of SUNDIALS).
+class Integrator {
+ public:
+  /// @param event_count  of events()
+  /// @param tolerance    relative
+  /// @param absolute     of each state
+  /// @throws InputError without SUNDIALS.
+  Integrator(OdeSystem& system, int event_count, double tolerance, std::vector<double> absolute);
+  ~Integrator();
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+
+  /// Begins anew, and goes on to `stop` at most.
+  void restart(double time, std::span<const double> y, double stop);
+  /// One step. An exception of the system comes out of it.
+  StepEnd step();
+
+  double time() const;                ///< reached
+  std::span<const double> y() const;  ///< there
+  /// y within the last step, or its derivative, by the polynomial of the step.
+  std::vector<double> at(double time, int derivative = 0) const;
+  long steps() const;  ///< since it was made
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace twum::motion

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/motion/motion.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace twum::motion {
+namespace {
+
+using P = Parameter;
+
+// The motor whose wave has the amplitude that it is told, with the nodes that `auto` chooses for the design.
+MotorDesign with_given_amplitude(MotorDesign design) {
+  if (design.stator.radial_slices == kAutoSlices)
+    design.stator.radial_slices = Motor(design).radial_slices();
+  if (!design.stator.voltage) return design;
+  design.stator.voltage.reset();
+  design.stator.amplitude = std::clamp(10 * opening_amplitude(design), 1e-12, 1e-3);
+  return design;
+}
+
+void require_equal_phases(const MotorDesign& design) {
+  if (design.stator.imbalance && *design.stator.imbalance != Imbalance{})
+    throw InputError(
+        "a motion has one wave, of equal phases and modes; leave out stator.imbalance "
+        "(voltage_ratio, phase_error, mode_splitting)");
+}
+
+double required_inertia(const MotorDesign& design) {
+  if (!design.rotor.inertia)
+    throw InputError(
+        "rotor_inertia is missing; a motion needs it: give rotor.inertia, such as 7e-6 kg.m^2");
+  return *design.rotor.inertia + design.load.value_or(ShaftLoad{}).inertia;
+}
+
+}  // namespace
+
+MotionModel::MotionModel(const MotorDesign& design)
+    : motor((require_equal_phases(design), with_given_amplitude(design))),
+      driven(design.stator.voltage.has_value()),
+      inertia(required_inertia(design)) {
+  const MotorDesign& d = motor.design();
+  const ShaftLoad load = d.load.value_or(ShaftLoad{});
+  load_damping = load.damping, load_friction = load.friction;
+  stiffness = load.stiffness, neutral = load.neutral;
+  off_resistance = d.driver.value_or(Driver{}).off_resistance;
+  full_contact_amplitude = opening_amplitude(d);
+  holding_torque = motor.holding_torque();
+  mirrors_at_rest = d.stator.radial_slices == 1 && shear_viscosity(d) == 0 &&
+                    d.friction.threshold == d.friction.kinetic;
+  const double r = d.stator.contact_radius;
+  crest_per_amplitude = get(d, P::neutral_plane_distance) * d.stator.wavelengths / (r * r);
+  if (!has_modal_data(d)) return;
+  const double rate = 2 * std::numbers::pi * get(d, P::resonance_frequency);
+  mass = get(d, P::modal_mass), damping = modal_damping(d);
+  stiffness_of_wave = rate * rate * mass;  // (D2.2)
+  force_factor = get(d, P::force_factor);
+  capacitance = get(d, P::blocked_capacitance), loss_tangent = get(d, P::loss_tangent);
+}
+
+double MotionModel::drive_force(double voltage) const {
+  return force_factor * std::numbers::sqrt2 * voltage;
+}
+
+Complex MotionModel::off_voltage(double omega) const {
+  const Complex admittance = kI * omega * capacitance * Complex{1, -loss_tangent};
+  return -off_resistance * kI * omega * force_factor / (1.0 + off_resistance * admittance);
+}
+
+}  // namespace twum::motion

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/motion/motion.hpp>
+
+#include "motion_run.hpp"
+
+#include <twum/core/parameters.hpp>
+
+#include <numbers>
+
+namespace twum::motion {
+
+const char* to_string(MotionEventKind kind) noexcept {
+  switch (kind) {
+    case MotionEventKind::held: return "held";
+    case MotionEventKind::released: return "released";
+    case MotionEventKind::reversed: return "reversed";
+    case MotionEventKind::started: return "started";
+    case MotionEventKind::pulled_out: return "pulled-out";
+    case MotionEventKind::overruns: return "overruns";
+    case MotionEventKind::switched_off: return "switched-off";
+    case MotionEventKind::switched_on: return "switched-on";
+    case MotionEventKind::swapped: return "swapped";
+  }
+  return "held";
+}
+
+MotionTask steady_drive(const MotorDesign& design, double duration) {
+  MotionTask task{.duration = duration};
+  if (design.stator.voltage)
+    task.voltage = *design.stator.voltage;
+  else
+    task.amplitude = design.stator.amplitude;
+  task.frequency = drive_frequency(design);
+  return task;
+}
+
+// A_1 = F_N / (2 K_c), K_c = pi r b E / h (D1.4, D1.5).
+double opening_amplitude(const MotorDesign& design) {
+  const double stiffness = std::numbers::pi * design.stator.contact_radius *
+                           design.stator.contact_width * design.layer.youngs_modulus /
+                           design.layer.thickness;
+  return design.preload / (2 * stiffness);
+}
+
+void require_motion(const MotorDesign& design, const MotionTask& task) {
+  MotionRun(design, task).begin();
+}
+
+Motion simulate(const MotorDesign& design, const MotionTask& task) {
+  return MotionRun(design, task).run();
+}
+
+}  // namespace twum::motion

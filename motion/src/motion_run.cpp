@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "motion_run.hpp"
+
+#include "sample.hpp"
+#include "steady.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::motion {
+namespace {
+
+constexpr double kReleaseSpeed = 1e-9;  // [rad/s]: past the event, and nothing beside any speed
+// Of the holding torque. Without it a rotor would be caught at the instant of its release.
+constexpr double kHoldMargin = 1e-6;
+
+}  // namespace
+
+MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task)
+    : design_(design),
+      task_(task),
+      model_(design),
+      stretches_(stretches_of(task, model_.driven)),
+      equations_(model_),
+      integrator_(equations_, 2, task.tolerance, absolute_tolerances()),
+      watch_(equations_) {}
+
+// A tenth of the amplitude at which the contact opens, or without contact a thousandth of the free wave at resonance.
+double MotionRun::smallest_scale() const {
+  if (model_.full_contact_amplitude > 0) return 0.3 * model_.full_contact_amplitude;
+  if (!model_.driven) return 1e-9;
+  return 1e-3 * model_.drive_force(std::max(task_.voltage.largest(), 1.0)) /
+         (model_.damping * 2 * std::numbers::pi * task_.frequency.largest());
+}
+
+std::vector<double> MotionRun::absolute_tolerances() const {
+  const double a = task_.tolerance * smallest_scale();
+  const double omega = 2 * std::numbers::pi * task_.frequency.largest();
+  std::vector<double> absolute(kStateCount);
+  absolute[kReal] = absolute[kImaginary] = a;
+  absolute[kSpeed] = model_.crest_per_amplitude * omega * a;
+  absolute[kAngle] = absolute[kTurn] = task_.tolerance * 1e-4;
+  // A wave of the smallest scale that is built up.
+  absolute[kEnergy] = std::max(task_.tolerance * 1e-5, model_.mass * omega * omega * a * a);
+  return absolute;
+}
+
+void MotionRun::note(MotionEventKind kind) {
+  motion_.events.push_back({kind, time_, y_[kSpeed], y_[kAngle], equations_.amplitude(time_, y_)});
+}
+
+bool MotionRun::end_early(const std::string& status) {
+  motion_.status = status;
+  return false;
+}
+
+Mode MotionRun::mode_at_rest() {
+  const HoldingLimits limits = equations_.holding_limits(time_, y_);
+  const double load = equations_.load(time_, y_[kAngle]), friction = model_.load_friction;
+  const double above = limits.forward - friction - load,  // > 0: the wave turns the rotor forward
+      below = load - limits.backward - friction;          // > 0: the load turns it backward
+  const double margin = kHoldMargin * model_.holding_torque;
+  const bool held = above < -margin && below < -margin;
+  return {held, above >= below ? 1.0 : -1.0};
+}
+
+// The first values, before a step at the beginning, with the drive on.
+Stretch MotionRun::before_the_first() const {
+  Stretch before = stretches_.front();
+  const auto value = [](const Profile& p) { return Ramp{0, p.before(0), 0}; };
+  before.voltage = value(task_.voltage), before.amplitude = value(task_.amplitude);
+  before.frequency = value(task_.frequency), before.load_torque = value(task_.load_torque);
+  before.off = false, before.direction = 1;
+  return before;
+}
+
+void MotionRun::begin() {
+  const InitialState& initial = task_.initial;
+  before_ = initial.steady ? before_the_first() : stretches_.front();
+  equations_.set_stretch(before_);
+  if (initial.steady) {
+    y_ = steady_state(design_, equations_);
+    y_[kAngle] = initial.angle;
+    return;
+  }
+  const Complex zeta = std::polar(model_.driven ? initial.amplitude : 0, -initial.phase_lag);
+  y_ = {zeta.real(), zeta.imag(), initial.speed, initial.angle, 0, 0};
+  // enter() releases a rotor that nothing holds.
+  equations_.set_mode({initial.speed == 0, initial.speed < 0 ? -1.0 : 1.0});
+}
+
+bool MotionRun::swap_phases() {
+  if (model_.driven && equations_.amplitude(time_, y_) >= 2 * model_.full_contact_amplitude)
+    return end_early("swap-too-early");
+  y_[kReal] = y_[kImaginary] = 0;  // the other wave begins from rest
+  return true;
+}
+
+// The drive's phase goes on while it is off.
+void MotionRun::turn_wave() {
+  const Complex zeta = Complex{y_[kReal], y_[kImaginary]} * std::polar(1.0, y_[kTurn]);
+  y_[kReal] = zeta.real(), y_[kImaginary] = zeta.imag(), y_[kTurn] = 0;
+}
+
+bool MotionRun::enter(const Stretch& stretch) {
+  const Stretch& before = equations_.stretch();
+  const bool swapped = before.direction != stretch.direction, switched = before.off != stretch.off;
+  if (swapped && !swap_phases()) return false;
+  equations_.set_stretch(stretch);
+  if (switched) turn_wave();
+  if (switched) note(stretch.off ? MotionEventKind::switched_off : MotionEventKind::switched_on);
+  if (swapped) note(MotionEventKind::swapped);
+  if (equations_.mode().held) change_mode();
+  return true;
+}
+
+// At rest: the rotor is held, or goes on to one side.
+void MotionRun::change_mode() {
+  const Mode before = equations_.mode(), after = mode_at_rest();
+  equations_.set_mode(after);
+  y_[kSpeed] = 0;
+  if (after.held && !before.held) note(MotionEventKind::held);
+  if (!after.held && before.held) {
+    note(MotionEventKind::released);
+    watch_.released(equations_.amplitude(time_, y_));
+  }
+  if (!after.held && !before.held && after.side != before.side) note(MotionEventKind::reversed);
+  if (!after.held) y_[kSpeed] = after.side * kReleaseSpeed;
+}
+
+void MotionRun::take_samples() {
+  while (next_sample_ < task_.output_times.size() &&
+         task_.output_times[next_sample_] <= integrator_.time()) {
+    const double time = task_.output_times[next_sample_++];
+    const std::vector<double> y = integrator_.at(time);
+    motion_.samples.push_back(sample_at(equations_, time, y));
+  }
+}
+
+bool MotionRun::follow(const Stretch& stretch) {
+  integrator_.restart(time_, y_, stretch.end);
+  while (true) {
+    const double begin = time_;
+    const StepEnd end = integrator_.step();
+    if (end == StepEnd::failed) {
+      const std::string& contact = equations_.contact().failure();
+      return end_early(contact == "ok" ? "integrator-failed" : contact);
+    }
+    time_ = integrator_.time();
+    std::ranges::copy(integrator_.y(), y_.begin());
+    for (const MotionEvent& event : watch_.events(integrator_, begin))
+      motion_.events.push_back(event);
+    take_samples();
+    if (end == StepEnd::stop_time) return true;
+    if (task_.go_on && !task_.go_on(time_)) return end_early("stopped");
+    if (end != StepEnd::event) continue;
+    change_mode();
+    if (time_ >= stretch.end) return true;
+    integrator_.restart(time_, y_, stretch.end);
+  }
+}
+
+Motion MotionRun::run() {
+  begin();
+  // Times before the first step of the integrator.
+  while (next_sample_ < task_.output_times.size() && task_.output_times[next_sample_] <= 0) {
+    ++next_sample_;
+    motion_.samples.push_back(sample_at(equations_, 0, y_));
+  }
+  for (const Stretch& stretch : stretches_)
+    if (!enter(stretch) || !follow(stretch)) break;
+  motion_.end = time_;
+  motion_.steps = integrator_.steps();
+  motion_.contacts = equations_.contact().count();
+  motion_.last = sample_at(equations_, time_, y_);
+  return std::move(motion_);
+}
+
+}  // namespace twum::motion

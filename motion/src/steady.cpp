@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steady.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/metrics.hpp>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <string>
+
+namespace twum::motion {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw InputError("there is no steady running state at the first values of drive and load: " +
+                   why);
+}
+
+// The design under the drive at the beginning of a stretch.
+MotorDesign with_drive(const MotorDesign& design, const Stretch& s) {
+  const Parameter drive = design.stator.voltage ? Parameter::voltage : Parameter::amplitude;
+  const Ramp& value = design.stator.voltage ? s.voltage : s.amplitude;
+  const ParameterValue values[] = {{drive, value.value}, {Parameter::frequency, s.frequency.value}};
+  return with(design, values);
+}
+
+// The state on the motor's curve that carries a torque without viscous friction.
+States state_on_curve(const MotorDesign& design, const Equations& equations, double torque) {
+  const Motor motor(with_drive(design, equations.stretch()));
+  const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
+  if (speed.status != MetricStatus::ok) refuse(to_string(speed.status));
+  const OperatingPoint point = motor.operating_point(speed.value);
+  if (point.status != PointStatus::ok) refuse(to_string(point.status));
+  States y{};
+  y[kSpeed] = speed.value;
+  if (!equations.model().driven) return y;
+  const Complex zeta = std::polar(point.amplitude, -point.phase_lag);
+  y[kReal] = zeta.real(), y[kImaginary] = zeta.imag();
+  return y;
+}
+
+// Newton's step from a state: the solution of J dy = -y' in the states that count.
+Eigen::VectorXd newton_step(Equations& equations, const States& y,
+                            const std::vector<std::size_t>& in) {
+  States rates{};
+  std::array<double, kStateCount * kStateCount> slopes{};
+  const double t = equations.stretch().begin;
+  if (!equations.rates(t, y, rates) || !equations.jacobian(t, y, slopes))
+    refuse(equations.contact().failure());
+  const auto n = static_cast<Eigen::Index>(in.size());
+  Eigen::MatrixXd jacobian(n, n);
+  Eigen::VectorXd residual(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = in[static_cast<std::size_t>(i)];
+    residual[i] = -rates[row];
+    for (Eigen::Index j = 0; j < n; ++j)
+      jacobian(i, j) = slopes[in[static_cast<std::size_t>(j)] * kStateCount + row];
+  }
+  return jacobian.fullPivLu().solve(residual);
+}
+
+States newton_solution(Equations& equations, States y) {
+  const std::vector<std::size_t> in = equations.model().driven
+                                          ? std::vector<std::size_t>{kReal, kImaginary, kSpeed}
+                                          : std::vector<std::size_t>{kSpeed};
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Eigen::VectorXd step = newton_step(equations, y, in);
+    double largest = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const double d = step[static_cast<Eigen::Index>(i)];
+      y[in[i]] += d;
+      const double scale =
+          in[i] == kSpeed ? y[kSpeed] : equations.amplitude(equations.stretch().begin, y);
+      largest = std::max(largest, std::abs(d / scale));
+    }
+    if (!(y[kSpeed] > 0)) break;
+    if (largest < 1e-11) return y;  // quadratic: the next step would be rounding
+  }
+  refuse("friction and load do not let it run");
+}
+
+}  // namespace
+
+States steady_state(const MotorDesign& design, Equations& equations) {
+  if (equations.model().stiffness > 0) refuse("the load has a spring");
+  equations.set_mode({false, 1});
+  const Stretch& asked = equations.stretch();
+  const double torque = asked.load_torque.value, friction = equations.model().load_friction;
+  // The curve ends at no-load. From there a load that drives the rotor is approached in steps of 5 % of the holding torque.
+  States y = state_on_curve(design, equations, std::max(torque + friction, 0.0));
+  const double driving = std::min(torque + friction, 0.0);
+  const int steps = 1 + static_cast<int>(-driving / (0.05 * equations.model().holding_torque));
+  Stretch nearer = asked;
+  for (int step = 1; step <= steps; ++step) {
+    nearer.load_torque.value = torque - driving * (steps - step) / steps;
+    equations.set_stretch(nearer);
+    y = newton_solution(equations, y);
+  }
+  equations.set_stretch(asked);
+  return y;
+}
+
+}  // namespace twum::motion

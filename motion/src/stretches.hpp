@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/motion/motion.hpp>
+
+#include <vector>
+
+namespace twum::motion {
+
+/// A number that is linear in time.
+struct Ramp {
+  double begin, value, slope;
+  double at(double time) const { return value + slope * (time - begin); }
+};
+
+/// A part of a motion without kinks of its inputs.
+struct Stretch {
+  double begin, end;
+  Ramp voltage, amplitude, frequency, load_torque;
+  bool off;
+  double direction;  ///< of the wave, 1 or -1
+};
+
+/// The stretches of a motion, in their order. Each time at which an input has a kink ends one of them, once.
+/// @throws InputError for a task that is not admissible.
+std::vector<Stretch> stretches_of(const MotionTask& task, bool driven);
+
+}  // namespace twum::motion

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "equations.hpp"
+
+#include <twum/motion/motion.hpp>
+
+#include <vector>
+
+namespace twum::motion {
+
+/// Looks for the events that change nothing: the wave starts or pulls out, the rotor overruns it.
+class Watch {
+ public:
+  explicit Watch(Equations& equations) : equations_(&equations) {}
+
+  /// Forgets the largest amplitude: the rotor was released in this state.
+  void released(double amplitude) { largest_ = amplitude; }
+  /// Events within the last step of the integrator, in the order of time.
+  std::vector<MotionEvent> events(const Integrator& integrator, double begin);
+
+ private:
+  /// Distance from an event, which happens where it falls through zero.
+  double distance(MotionEventKind kind, double time, const Integrator& integrator) const;
+  bool looks_for(MotionEventKind kind) const;
+  double pull_out_amplitude() const;
+
+  Equations* equations_;
+  double largest_{0};     ///< amplitude since the release
+  bool overruns_{false};  ///< and has not driven since
+};
+
+}  // namespace twum::motion

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/io/column.hpp>
+#include <twum/motion/motion.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Motions of one motor, or of a family over one parameter. The rows of the store are the samples: stage is the motor, index the
+/// time.
+struct MotionResult {
+  /// A number of a motion that was asked for.
+  struct Measure {
+    std::string text;  ///< as typed, such as "overshoot(speed)"
+    std::string unit;  ///< SI
+    double value{0};   ///< NaN where the motion does not have it
+  };
+  /// One motor.
+  struct Member {
+    double value{0};                  ///< of the family's parameter, SI; NaN for the motor alone
+    motion::Motion motion{};          ///< samples and events
+    std::vector<Measure> measures{};  ///< in the order asked
+    double opening_amplitude{0};      ///< A_1 [m]
+    double holding_torque{0};         ///< without a wave [N m]
+    std::optional<double> off_at{};   ///< when the drive was switched off last [s]
+  };
+  std::optional<StoredColumn> family;  ///< nothing for the motor alone
+  double duration{0};                  ///< [s]
+  double step{0};                      ///< between samples [s]
+  std::vector<Member> members;         ///< in the order asked
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/motion_checks.hpp"
+
+#include "entries/motion_task.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/parameters.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/words.hpp>
+
+#include <string>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kMostPeriods = 1e6, kMostRows = 1e6;
+
+// The errors of one study with their places.
+class MotionCheck {
+ public:
+  MotionCheck(const MotionStudy& study, const MotorDesign& motor, const YamlNode& root,
+              Diagnostics& diagnostics)
+      : study_(study), motor_(motor), root_(root), diagnostics_(diagnostics) {}
+
+  void check() {
+    check_motor();
+    check_entries_of_drive();
+    check_values("voltage", study_.drive.voltage, Parameter::voltage);
+    check_values("amplitude", study_.drive.amplitude, Parameter::amplitude);
+    check_values("frequency", study_.drive.frequency, Parameter::frequency);
+    if (diagnostics_.empty()) check_lengths();
+    if (diagnostics_.empty()) check_beginning();
+  }
+
+ private:
+  const YamlNode& asked() const { return *root_.find("study"); }
+
+  // Of the entry that a path such as "drive.voltage" names, or of the last one above it that is there.
+  SourceMark mark_of(std::string_view path) const {
+    const YamlNode* node = &asked();
+    for (std::size_t begin = 0; begin < path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      const YamlNode* next = node->find(path.substr(begin, end - begin));
+      if (next == nullptr) break;
+      node = next, begin = end + 1;
+    }
+    return node->mark;
+  }
+
+  void say(const std::string& path, std::string found, std::string expected) {
+    diagnostics_.add(mark_of(path), "study." + path, std::move(found), std::move(expected));
+  }
+  void say_of_motor(std::string found, std::string expected) {
+    const YamlNode* motor = root_.find("motor");
+    diagnostics_.add(motor != nullptr ? motor->mark : SourceMark{1, 1}, "motor", std::move(found),
+                     std::move(expected));
+  }
+
+  bool varies(Parameter parameter) const {
+    return study_.family && study_.family->parameter == parameter;
+  }
+
+  void check_motor() {
+    if (!motor_.rotor.inertia && !varies(Parameter::rotor_inertia))
+      say_of_motor("it has no rotor_inertia, which a motion needs",
+                   "give rotor.inertia in the motor file, such as 7e-6 kg.m^2");
+    if (motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
+      say_of_motor("its phases or modes are unequal (stator.imbalance), but a motion has one wave",
+                   "leave them out");
+  }
+
+  void check_entries_of_drive() {
+    const bool driven = motor_.stator.voltage.has_value();
+    if (!driven && study_.drive.voltage)
+      say("drive.voltage", "a voltage for a motor that is given by its amplitude",
+          "give drive.amplitude, or stator.voltage in the motor file");
+    if (driven && study_.drive.amplitude)
+      say("drive.amplitude", "an amplitude for a motor under a voltage", "give drive.voltage");
+    if (!driven && !study_.drive.switched_off.empty())
+      say("drive.switched_off", "a motor with a given amplitude has no drive to switch off",
+          "give drive.amplitude over time, or stator.voltage in the motor file");
+  }
+
+  void check_values(const char* entry, const std::optional<motion::Profile>& profile,
+                    Parameter parameter) {
+    if (!profile) return;
+    for (const auto& [time, value] : profile->rows()) {
+      const std::string wrong = complaint(parameter, value);
+      if (wrong.empty()) continue;
+      say(std::string("drive.") + entry, std::string(info(parameter).name) + " " + wrong,
+          "change it");
+      return;
+    }
+  }
+
+  void check_lengths() {
+    const double frequency = motion_task(study_, motor_).frequency.largest();
+    if (study_.duration * frequency > kMostPeriods)
+      say("duration",
+          engineering(study_.duration, "s") + " are " +
+              number_text_of(study_.duration * frequency) + " periods of the drive",
+          "expected at most 1e6, " + engineering(kMostPeriods / frequency, "s"));
+    if (!(study_.step() > 0) || study_.duration / study_.step() > kMostRows)
+      say("output.step", "a step that gives more than a million rows",
+          "expected at least " + engineering(study_.duration / kMostRows, "s"));
+    for (const MotionMeasure& one : study_.measure)
+      if (one.at > study_.duration && one.column.empty())
+        say("measure", quoted(one.text) + " asks for a time after the end",
+            "expected times up to " + engineering(study_.duration, "s"));
+  }
+
+  static std::string number_text_of(double number) { return engineering(number, "1"); }
+
+  // What only the engine can tell: whether a steady wave runs, whether there is an integrator.
+  void check_beginning() {
+    if (study_.family) return;  // each of its motors says it when the study runs
+    const MotorDesign motor = motion_motor(study_, motor_);
+    try {
+      motion::require_motion(motor, motion_task(study_, motor));
+    } catch (const InputError& error) {
+      say(study_.initial.steady ? "initial" : "kind", error.what(),
+          study_.initial.steady ? "begin at rest, or with another drive or load" : "");
+    }
+  }
+
+  const MotionStudy& study_;
+  const MotorDesign& motor_;
+  const YamlNode& root_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_motion(const Study& study, const MotorDesign& motor, const YamlNode& root,
+                  Diagnostics& diagnostics) {
+  if (const auto* asked = std::get_if<MotionStudy>(&study))
+    MotionCheck(*asked, motor, root, diagnostics).check();
+}
+
+}  // namespace twum::studies

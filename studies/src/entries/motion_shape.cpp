@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motions in time: what is done to the motor, what it drives, and what is asked.
+#include "entries/entry_shapes.hpp"
+#include "entries/motion_columns.hpp"
+#include "entries/profile_shape.hpp"
+
+#include <twum/io/words.hpp>
+
+#include <utility>
+
+namespace twum::studies {
+
+using namespace shapes;
+
+namespace {
+
+Shape<motion::InitialState> initial_shape() {
+  using I = motion::InitialState;
+  const auto words = shape_as<I, std::size_t>(
+      choice(
+          "at rest with a relaxed layer, or running steadily at the first values of drive and load",
+          {"rest", "steady"}),
+      [](std::size_t number) { return I{.steady = number == 1}; },
+      [](const I& state) { return state.steady ? std::size_t{1} : std::size_t{0}; });
+  const auto state = mapping<I>(
+      "a state",
+      {optional<I>("speed", quantity("of the rotor", "rad/s", "100 rpm"), &I::speed, "0 rad/s"),
+       optional<I>("amplitude", quantity("of the wave", "m", "0 um"), &I::amplitude, "0 m"),
+       optional<I>("angle", quantity("of the rotor", "rad", "0 rad"), &I::angle, "0 rad")});
+  auto shape = one_of<I>("the state at the beginning", {words, state}, [](const I& from) {
+    return from.speed == 0 && from.amplitude == 0 && from.angle == 0 ? std::size_t{0} : 1;
+  });
+  shape.schema.example = "rest";
+  return shape;
+}
+
+Field<MotionStudy::Load> load_number(const char* name, Parameter parameter,
+                                     std::optional<double> MotionStudy::Load::*member) {
+  const ParameterInfo& row = info(parameter);
+  return optional<MotionStudy::Load>(name, value_of(row), member, "the motor's");
+}
+
+Shape<MotionStudy::Load> load_shape() {
+  using L = MotionStudy::Load;
+  return mapping<L>(
+      "what the shaft drives; in place of the motor's",
+      {optional<L>("torque", profile("torque against positive motion", "N.m", "0.2 N.m"),
+                   &L::torque, "0 N.m"),
+       load_number("inertia", Parameter::load_inertia, &L::inertia),
+       hidden(load_number("damping", Parameter::load_damping, &L::damping)),
+       hidden(load_number("friction", Parameter::load_friction, &L::friction)),
+       hidden(load_number("stiffness", Parameter::load_stiffness, &L::stiffness)),
+       hidden(load_number("neutral", Parameter::load_neutral, &L::neutral))});
+}
+
+Shape<MotionStudy::Drive> drive_shape() {
+  using D = MotionStudy::Drive;
+  return mapping<D>(
+      "what is done to the drive",
+      {optional<D>("voltage", profile("of each phase, rms", "V", "120 V"), &D::voltage,
+                   "the motor's"),
+       hidden(optional<D>(
+           "amplitude",
+           profile("of the wave, of a motor that is given by its amplitude", "m", "1.6 um"),
+           &D::amplitude, "the motor's")),
+       optional<D>("frequency", profile("of the drive", "Hz", "40.8 kHz"), &D::frequency,
+                   "the motor's"),
+       optional<D>("switched_off", intervals("when the drive is off, from one time to the next"),
+                   &D::switched_off, "never"),
+       hidden(optional<D>("reversed",
+                          intervals("when the phases are swapped, from one time to the next"),
+                          &D::reversed, "never"))});
+}
+
+Shape<MotionStudy::Output> output_shape() {
+  using O = MotionStudy::Output;
+  std::vector<std::string> words;
+  for (const std::string_view name : motion_column_names()) words.emplace_back(name);
+  auto columns = list("columns of the table", choice("a column", words));
+  columns.schema.example = "[speed, angle, amplitude, torque]";
+  return mapping<O>("what is stored",
+                    {optional<O>("step", quantity("time between rows", "s", "50 us"), &O::step,
+                                 "a thousandth of the duration"),
+                     optional<O>("columns", columns, &O::columns, "all")});
+}
+
+bool more_than_zero(const Given& given, const char* name, double value, Diagnostics& diagnostics) {
+  const YamlNode* node = given.right(name);
+  if (node == nullptr || value > 0) return true;
+  diagnostics.add(node->mark, given.path(name), quoted(node->scalar), "expected more than 0 s");
+  return false;
+}
+
+bool check_motion(MotionStudy& study, const Given& given, Diagnostics& diagnostics) {
+  return more_than_zero(given, "duration", study.duration, diagnostics);
+}
+
+}  // namespace
+
+Shape<MotionStudy> MotionStudy::shape() {
+  using M = MotionStudy;
+  auto measures = list("numbers of the motion",
+                       text_of<MotionMeasure>("a measure", "time_to(speed, 90 %)", motion_measure,
+                                              [](const MotionMeasure& one) { return one.text; }));
+  measures.schema.example = "[\"time_to(speed, 90 %)\", overshoot(speed), angle_after(30 ms)]";
+  return mapping<M>(
+      "starts, stops and changes of load and drive in time; of one motor or of a family over one "
+      "parameter",
+      {kind_field<M>(),
+       optional<M>("family", shapes::family("rotor_inertia: [7e-6 kg.m^2, 1e-4 kg.m^2]"),
+                   &M::family, "the motor alone"),
+       required<M>("duration", quantity("how long the motion is followed", "s", "40 ms"),
+                   &M::duration),
+       hidden(standard<M>(
+           "engine", word<MotionEngine>("one wave, averaged over each vibration", {"averaged"}),
+           &M::engine)),
+       standard<M>("initial", initial_shape(), &M::initial),
+       hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),
+       optional<M>("load", load_shape(), &M::load, "the motor's"),
+       optional<M>("output", output_shape(), &M::output, "a thousand rows"),
+       optional<M>("measure", measures, &M::measure, "none")},
+      check_motion);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/motor_design.hpp>
+#include <twum/motion/motion.hpp>
+#include <twum/studies/study.hpp>
+
+#include <vector>
+
+/// What a study of a motion does to its motor; internal.
+namespace twum::studies {
+
+/// The motor with what the study says of the load.
+MotorDesign motion_motor(const MotionStudy& asked, const MotorDesign& motor);
+
+/// Times of the rows.
+std::vector<double> motion_times(const MotionStudy& asked);
+
+/// What is done to a motor of the study, without the times of samples.
+motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& motor);
+
+}  // namespace twum::studies

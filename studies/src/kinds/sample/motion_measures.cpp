@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/sample/motion_measures.hpp"
+
+#include <twum/base/no_value.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+using Sample = motion::MotionSample;
+using Samples = std::span<const Sample>;
+
+// The sample at a time; none if the motion ended before it.
+const Sample* sample_at(Samples samples, double time) {
+  const auto found = std::ranges::lower_bound(samples, time, {}, &Sample::time);
+  return found != samples.end() && found->time == time ? &*found : nullptr;
+}
+
+// The last sample before a time, or at it.
+const Sample* last_until(Samples samples, double time) {
+  const auto next = std::ranges::upper_bound(samples, time, {}, &Sample::time);
+  return next == samples.begin() ? nullptr : &*(next - 1);
+}
+
+// When a number first reaches a level, linear between two samples.
+double time_to(Samples samples, const MotionColumn& column, double level) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double here = column.of(samples[i]);
+    const bool reached = level < 0 ? here <= level : here >= level;
+    if (!reached) continue;
+    if (i == 0) return samples[0].time;
+    const double before = column.of(samples[i - 1]);
+    const double share = here == before ? 1 : (level - before) / (here - before);
+    return std::lerp(samples[i - 1].time, samples[i].time, share);
+  }
+  return kNoValue;
+}
+
+double largest(Samples samples, const MotionColumn& column) {
+  double found = 0;
+  for (const Sample& s : samples)
+    if (std::abs(column.of(s)) > std::abs(found)) found = column.of(s);
+  return found;
+}
+
+double difference(const Sample* begin, const Sample* end, const MotionColumn& column) {
+  return begin != nullptr && end != nullptr ? column.of(*end) - column.of(*begin) : kNoValue;
+}
+
+double number_of(const MotionMeasure& asked, Samples samples,
+                 std::span<const motion::MotionEvent> events, double last_on) {
+  using Kind = MotionMeasure::Kind;
+  if (samples.empty()) return kNoValue;
+  const MotionColumn* column = find_motion_column(asked.column);
+  const Sample* settled = last_until(samples, last_on);
+  const Sample* last = &samples.back();
+  switch (asked.kind) {
+    case Kind::time_to:
+      return time_to(samples, *column,
+                     asked.share ? *asked.share * column->of(*settled) : asked.at);
+    case Kind::overshoot: return largest(samples, *column) / column->of(*settled) - 1;
+    case Kind::peak: return largest(samples, *column);
+    case Kind::angle_after:
+      return difference(sample_at(samples, asked.at), last, *find_motion_column("angle"));
+    case Kind::energy:
+      return difference(sample_at(samples, asked.at), sample_at(samples, asked.to),
+                        *find_motion_column("energy"));
+    case Kind::time_of: {
+      const auto event = std::ranges::find_if(events, [&](const motion::MotionEvent& one) {
+        return asked.column == to_string(one.kind);
+      });
+      return event == events.end() ? kNoValue : event->time;
+    }
+  }
+  return kNoValue;
+}
+
+std::string unit_of(const MotionMeasure& asked) {
+  using Kind = MotionMeasure::Kind;
+  switch (asked.kind) {
+    case Kind::time_to:
+    case Kind::time_of: return "s";
+    case Kind::overshoot: return "1";
+    case Kind::peak: return find_motion_column(asked.column)->unit;
+    case Kind::angle_after: return "rad";
+    case Kind::energy: return "J";
+  }
+  return "1";
+}
+
+}  // namespace
+
+std::vector<double> times_of(const MotionMeasure& measure) {
+  using Kind = MotionMeasure::Kind;
+  if (measure.kind == Kind::angle_after) return {measure.at};
+  if (measure.kind == Kind::energy) return {measure.at, measure.to};
+  return {};
+}
+
+std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
+                                            Samples samples,
+                                            std::span<const motion::MotionEvent> events,
+                                            double last_on) {
+  std::vector<MotionResult::Measure> found;
+  for (const MotionMeasure& one : asked)
+    found.push_back({one.text, unit_of(one), number_of(one, samples, events, last_on)});
+  return found;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "entries/motion_columns.hpp"
+
+#include <twum/motion/motion.hpp>
+#include <twum/studies/motion_result.hpp>
+#include <twum/studies/study.hpp>
+
+#include <span>
+#include <vector>
+
+/// Numbers of motions that are asked for; internal.
+namespace twum::studies {
+
+/// The times that a measure asks for; they have to be among the samples.
+std::vector<double> times_of(const MotionMeasure& measure);
+
+/// The numbers of a motion whose samples include times_of() of each measure.
+/// @param last_on  when the drive is switched off first, or the end [s]
+std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
+                                            std::span<const motion::MotionSample> samples,
+                                            std::span<const motion::MotionEvent> events,
+                                            double last_on);
+
+}  // namespace twum::studies

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "entries/motion_task.hpp"
+#include "kinds/sample/family_run.hpp"
+#include "kinds/sample/motion_measures.hpp"
+
+#include <twum/base/no_value.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+using motion::MotionSample;
+using motion::MotionTask;
+
+std::vector<double> times_with(std::vector<double> times,
+                               const std::vector<MotionMeasure>& measures, double duration) {
+  for (const MotionMeasure& one : measures)
+    for (const double time : times_of(one))
+      if (time <= duration) times.push_back(time);
+  std::ranges::sort(times);
+  const auto [first, last] = std::ranges::unique(times);
+  times.erase(first, last);
+  return times;
+}
+
+// A row for each time.
+class MotionRun : public FamilyRun<MotionResult> {
+ public:
+  MotionRun(const MotionStudy& asked, const MotorDesign& base)
+      : FamilyRun(asked.family, motion_motor(asked, base), motion_times(asked).size()),
+        asked_(asked),
+        times_(motion_times(asked)) {
+    for (const std::size_t column : asked.output.columns)
+      columns_.push_back(&motion_columns()[column]);
+    if (columns_.empty())
+      for (const MotionColumn& one : motion_columns()) columns_.push_back(&one);
+  }
+
+ private:
+  std::vector<StoredColumn> own_columns() const override {
+    std::vector<StoredColumn> columns{{"time", "s"}};
+    for (const MotionColumn* one : columns_) columns.push_back({one->name, one->unit});
+    return columns;
+  }
+
+  MotionResult frame() const override {
+    MotionResult result;
+    result.duration = asked_.duration, result.step = asked_.step();
+    return result;
+  }
+
+  // A motion that ends early is an answer.
+  bool has_answer(const Member& one) const override { return one.motion.end > 0; }
+
+  // NaN behind the time at which the motion ended.
+  void add_numbers(const Member& one, StoredRow& row) const override {
+    const double time = times_[row.index];
+    row.values.push_back(time);
+    const auto& samples = one.motion.samples;
+    const auto at = std::ranges::lower_bound(samples, time, {}, &MotionSample::time);
+    const bool known = at != samples.end() && at->time == time;
+    for (const MotionColumn* column : columns_)
+      row.values.push_back(known ? column->of(*at) : kNoValue);
+    if (!known) row.status = one.motion.status;
+  }
+
+  Member computed(const FamilyMotor& motor) const override {
+    MotionTask task = motion_task(asked_, motor.design);
+    task.output_times = times_with(times_, asked_.measure, asked_.duration);
+    task.go_on = [this](double) { return !asked_to_stop(); };
+    Member one;
+    one.motion = motion::simulate(motor.design, task);
+    const std::vector<motion::Interval>& off = task.switched_off;
+    const double last_on = off.empty() ? asked_.duration : off.front().begin;
+    if (!off.empty()) one.off_at = off.back().begin;
+    one.measures = measured(asked_.measure, one.motion.samples, one.motion.events, last_on);
+    one.opening_amplitude = motion::opening_amplitude(motor.design);
+    return one;
+  }
+
+  MotionStudy asked_;
+  std::vector<double> times_;
+  std::vector<const MotionColumn*> columns_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> MotionStudy::run(const StudyFile& file) const {
+  return std::make_unique<MotionRun>(*this, file.motor.design);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/answers.hpp"
+
+namespace twum::studies {
+namespace {
+
+Json event_json(const motion::MotionEvent& event) {
+  return {{"time", event.time},
+          {"event", to_string(event.kind)},
+          {"speed", event.speed},
+          {"angle", event.angle},
+          {"amplitude", event.amplitude}};
+}
+
+Json motion_json(const MotionResult& result, const MotionResult::Member& member) {
+  Json json = Json::object();
+  if (result.family) json[result.family->name] = number_json(member.value);
+  json["status"] = member.motion.status;
+  json["end"] = member.motion.end;
+  json["contacts"] = member.motion.contacts;
+  json["events"] = Json::array();
+  for (const motion::MotionEvent& event : member.motion.events)
+    json["events"].push_back(event_json(event));
+  json["measures"] = Json::array();
+  for (const MotionResult::Measure& one : member.measures)
+    json["measures"].push_back(
+        {{"measure", one.text}, {"unit", one.unit}, {"value", number_json(one.value)}});
+  return json;
+}
+
+}  // namespace
+
+// Of the motor alone its own entries; of a family a list of motors.
+Json answer_json(const MotionResult& result) {
+  Json motion = Json::object();
+  if (result.family)
+    motion["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
+  motion["duration"] = result.duration;
+  motion["step"] = result.step;
+  motion["units"] = {{"time", "s"},     {"speed", "rad/s"}, {"angle", "rad"}, {"amplitude", "m"},
+                     {"duration", "s"}, {"step", "s"},      {"end", "s"}};
+  if (result.family) {
+    motion["units"][result.family->name] = result.family->unit;
+    motion["motors"] = Json::array();
+    for (const MotionResult::Member& member : result.members)
+      motion["motors"].push_back(motion_json(result, member));
+  } else if (!result.members.empty()) {
+    motion.update(motion_json(result, result.members.front()));
+  }
+  return {{"motion", motion}};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "telling/goal_parts.hpp"
+#include "telling/load_parts.hpp"
+#include "telling/tellings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace twum::studies::telling {
+namespace {
+
+using Motor = MotionResult::Member;
+using motion::MotionEvent;
+using motion::MotionEventKind;
+using motion::MotionSample;
+
+// The sample at which the drive is switched off first, or the last one.
+const MotionSample& settled(const Motor& motor) {
+  const auto& samples = motor.motion.samples;
+  const auto off = std::ranges::find_if(samples, [](const MotionSample& s) { return s.off; });
+  if (samples.empty()) return motor.motion.last;
+  return off == samples.end() || off == samples.begin() ? samples.back() : *(off - 1);
+}
+
+std::optional<double> time_of(const Motor& motor, MotionEventKind kind, double from) {
+  for (const MotionEvent& event : motor.motion.events)
+    if (event.kind == kind && event.time >= from) return event.time;
+  return {};
+}
+
+// When the rotor first has a speed, of either sign; linear between samples.
+std::optional<double> time_to(const Motor& motor, double speed) {
+  const auto& samples = motor.motion.samples;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double before = std::abs(samples[i - 1].speed), here = std::abs(samples[i].speed);
+    if (before < speed && here >= speed)
+      return std::lerp(samples[i - 1].time, samples[i].time, (speed - before) / (here - before));
+  }
+  return {};
+}
+
+bool runs(const Motor& motor) { return settled(motor).amplitude > 3 * motor.opening_amplitude; }
+
+Phrase running_sentence(const MotionResult& answer, const Motor& motor) {
+  const MotionSample& at = settled(motor);
+  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
+  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
+  append(phrase, {answer.family ? " the motor " : "The motor "});
+  if (!runs(motor)) {
+    append(phrase, {bad("does not run"), ": after ", time_part(at.time), " its wave is ",
+                    value_part(at.amplitude, "m", 3), " and its speed ",
+                    value_part(at.speed, "rad/s", 3), "."});
+    return phrase;
+  }
+  append(phrase, {"turns at ", strong(value_part(at.speed, "rad/s"))});
+  if (const auto reached = time_to(motor, 0.9 * std::abs(at.speed)))
+    append(phrase, {"; it has 90 % of that after ", strong(time_part(*reached))});
+  append(phrase, {"."});
+  return phrase;
+}
+
+Phrase stopping_sentence(const Motor& motor) {
+  const auto stopped = time_of(motor, MotionEventKind::held, *motor.off_at);
+  if (!stopped)
+    return {"It still turns at ", value_part(motor.motion.last.speed, "rad/s", 3), ", ",
+            time_part(motor.motion.end - *motor.off_at), " after the drive was switched off."};
+  const auto off = std::ranges::find_if(motor.motion.events, [&](const MotionEvent& event) {
+    return event.kind == MotionEventKind::switched_off && event.time == *motor.off_at;
+  });
+  Phrase phrase{"It stops ", strong(time_part(*stopped - *motor.off_at)),
+                " after the drive is switched off"};
+  if (off != motor.motion.events.end())
+    append(phrase, {", ", value_part(motor.motion.last.angle - off->angle, "rad", 3), " farther"});
+  append(phrase, {"."});
+  return phrase;
+}
+
+// The first motor that has no answer or does not run, or the first one.
+const Motor& told_motor(const MotionResult& answer) {
+  const auto odd = std::ranges::find_if(answer.members, [](const Motor& motor) {
+    return motor.motion.status != "ok" || !runs(motor);
+  });
+  return odd == answer.members.end() ? answer.members.front() : *odd;
+}
+
+}  // namespace
+
+Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) {
+  const Motor& motor = told_motor(answer);
+  std::vector<Phrase> sentences;
+  const bool complete = motor.motion.status == "ok";
+  if (!complete)
+    sentences.push_back({"The motion ", bad("ends early"), ", after ", time_part(motor.motion.end),
+                         ": " + reason_of(motor.motion.status) + "."});
+  sentences.push_back(running_sentence(answer, motor));
+  if (complete && motor.off_at && runs(motor)) sentences.push_back(stopping_sentence(motor));
+  return {complete && runs(motor) ? Headline::Look::plain : Headline::Look::bad,
+          "",
+          sentences,
+          {},
+          {},
+          "points",
+          "without an answer"};
+}
+
+}  // namespace twum::studies::telling

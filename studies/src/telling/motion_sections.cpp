@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "telling/goal_parts.hpp"
+#include "telling/load_parts.hpp"
+#include "telling/tellings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace twum::studies::telling {
+namespace {
+
+using Motor = MotionResult::Member;
+using motion::MotionEvent;
+using motion::MotionEventKind;
+using motion::MotionSample;
+
+constexpr std::size_t kTold = 20;  // events in a table; a beating wave may have hundreds
+
+const char* event_words(MotionEventKind kind) {
+  switch (kind) {
+    case MotionEventKind::held: return "comes to rest and is held";
+    case MotionEventKind::released: return "leaves rest";
+    case MotionEventKind::reversed: return "turns the other way";
+    case MotionEventKind::started: return "the wave starts";
+    case MotionEventKind::pulled_out: return "the wave pulls out";
+    case MotionEventKind::overruns: return "the rotor drives the wave";
+    case MotionEventKind::switched_off: return "the drive is switched off";
+    case MotionEventKind::switched_on: return "the drive is switched on";
+    case MotionEventKind::swapped: return "the phases are swapped";
+  }
+  return "";
+}
+
+// Without a rotor that drives the wave again: it may do so at each beat of the wave.
+std::vector<MotionEvent> told_events(const Motor& motor) {
+  std::vector<MotionEvent> told;
+  for (const MotionEvent& event : motor.motion.events) {
+    const bool again = event.kind == MotionEventKind::overruns && !told.empty() &&
+                       told.back().kind == MotionEventKind::overruns;
+    if (!again) told.push_back(event);
+  }
+  return told;
+}
+
+Section events(const MotionResult& answer) {
+  Section section{{"What happens"}, {}};
+  Table table{"events", {{"motor"}, {"time"}, {"event"}, {"angle"}, {"speed"}, {"amplitude"}}, {}};
+  table.keys = 3;
+  if (answer.family) table.typed = 4;  // a long name and all of them are wider than a terminal
+  for (const Motor& motor : answer.members) {
+    const std::vector<MotionEvent> told = told_events(motor);
+    for (std::size_t i = 0; i < std::min(kTold, told.size()); ++i)
+      table.rows.push_back({family_phrase(answer.family, motor.value),
+                            {time_part(told[i].time)},
+                            {event_words(told[i].kind)},
+                            {value_part(told[i].angle, "rad", 3)},
+                            {value_part(told[i].speed, "rad/s", 3)},
+                            {value_part(told[i].amplitude, "m", 3)}});
+    if (told.size() > kTold)
+      section.remarks.push_back(
+          {"The first ", count_part(kTold), " of ", count_part(told.size()), " events are told."});
+  }
+  section.tables = {table};
+  return section;
+}
+
+Section measures(const MotionResult& answer) {
+  Section section{{"Measures"}, {}};
+  Table table{"measures", {{"motor"}, {"measure"}, {"value"}}, {}};
+  for (const Motor& motor : answer.members)
+    for (const MotionResult::Measure& one : motor.measures) {
+      const Part number = std::isnan(one.value) ? Part("-")
+                          : one.unit == "s"     ? time_part(one.value)
+                          : one.unit == "1"     ? share_part(one.value)
+                                                : value_part(one.value, one.unit);
+      table.rows.push_back({family_phrase(answer.family, motor.value), {one.text}, {number}});
+    }
+  table.keys = 2;
+  section.tables = {table};
+  return section;
+}
+
+// What a chart shows over time.
+struct Course {
+  const char* name;
+  const char* title;
+  const char* unit;
+  double (*of)(const MotionSample&);
+  bool zero{true};
+};
+constexpr Course kSpeed{"speed", "speed", "rad/s", [](const MotionSample& s) { return s.speed; }};
+constexpr Course kCourses[] = {
+    {"angle", "angle", "rad", [](const MotionSample& s) { return s.angle; }},
+    {"amplitude", "amplitude of the wave", "m", [](const MotionSample& s) { return s.amplitude; }},
+    {"torque", "torque of the contact", "N.m", [](const MotionSample& s) { return s.torque; }},
+    {"voltage", "voltage at a phase", "V", [](const MotionSample& s) { return s.voltage; }},
+    {"frequency", "frequency of the drive", "Hz", [](const MotionSample& s) { return s.frequency; },
+     false}};
+
+Chart course_chart(const MotionResult& answer, const Course& course) {
+  const TimeUnit unit = time_unit(answer.duration);
+  Chart chart{course.name,
+              {course.title},
+              {{"time"}, unit.unit, false, 0, answer.duration / unit.seconds},
+              {{course.title}, course.unit, course.zero}};
+  for (std::size_t k = 0; k < answer.members.size(); ++k) {
+    const Motor& motor = answer.members[k];
+    const std::string name = answer.family
+                                 ? written(family_phrase(answer.family, motor.value), Writing::read)
+                                 : std::string{};
+    Series series{name, Stroke::line, {}, {}, colour_of(k)};
+    for (const MotionSample& s : motor.motion.samples) {
+      if (std::isnan(course.of(s))) continue;
+      series.x.values.push_back(s.time / unit.seconds);
+      series.y.values.push_back(course.of(s));
+    }
+    if (!series.x.values.empty()) chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+// Events on the line of the speed, of the motor alone; a rotor that drives the wave may do so at each beat.
+void mark_events(Chart& chart, const MotionResult& answer) {
+  if (answer.family) return;
+  const double seconds = time_unit(answer.duration).seconds;
+  for (const MotionEvent& event : answer.members.front().motion.events) {
+    if (event.kind == MotionEventKind::overruns || chart.marks.size() >= kTold) continue;
+    chart.marks.push_back({event.time / seconds, event.speed, {to_string(event.kind)}});
+  }
+}
+
+Section courses(const MotionResult& answer) {
+  Section section{{"Over time"}, {}};
+  section.charts = {course_chart(answer, kSpeed)};
+  mark_events(section.charts.front(), answer);
+  for (const Course& course : kCourses) {
+    Chart chart = course_chart(answer, course);
+    if (!chart.series.empty()) section.charts.push_back(std::move(chart));
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> sections_of(const MotionResult& answer, const Sources& /*sources*/) {
+  if (answer.members.empty()) return {};
+  std::vector<Section> sections{courses(answer)};
+  const auto any = [&](auto has) { return std::ranges::any_of(answer.members, has); };
+  if (any([](const Motor& motor) { return !motor.measures.empty(); }))
+    sections.push_back(measures(answer));
+  if (any([](const Motor& motor) { return !motor.motion.events.empty(); }))
+    sections.push_back(events(answer));
+  return sections;
+}
+
+}  // namespace twum::studies::telling

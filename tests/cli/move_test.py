@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""move: a start and a stop in time, and studies of motions."""
+import csv
+import io
+import json
+import re
+
+import program
+from program import DRIVE, ROOT
+
+MOVING = ROOT / "examples/motors/moving-60.yaml"
+
+
+class Move(program.Case):
+    def test_a_start_and_a_stop(self):
+        motion = json.loads(self.ok("move", MOVING, "--format", "json"))["motion"]
+        self.assertEqual((motion["status"], motion["end"]), ("ok", 0.03))
+        events = [event["event"] for event in motion["events"]]
+        for event in ("released", "started", "switched-off", "held"):
+            self.assertIn(event, events)
+        held = next(event for event in motion["events"] if event["event"] == "held")
+        # Another program has 3.91 ms for the averaged motion, to the digits given.
+        self.assertAlmostEqual(held["time"], 0.02 + 3.91e-3, delta=0.03e-3)
+
+    def test_rows_are_even_in_time(self):
+        rows = list(csv.DictReader(io.StringIO(self.ok("move", MOVING, "--time", "10 ms", "--format", "csv"))))
+        self.assertEqual(len(rows), 1001)
+        times = [float(row["time [s]"]) for row in rows]
+        self.assertEqual((times[0], times[-1]), (0, 0.01))
+        self.assertEqual({row["status"] for row in rows}, {"ok"})
+        angles = [float(row["angle [rad]"]) for row in rows]
+        self.assertEqual(angles, sorted(angles))
+
+    def test_a_load_slows_the_start(self):
+        def speed(*options):
+            rows = csv.DictReader(io.StringIO(self.ok("move", MOVING, "--time", "3 ms", "--format", "csv", *options)))
+            return max(float(row["speed [rad/s]"]) for row in rows)
+        free = speed()
+        self.assertLess(speed("--inertia", "1e-4 kg.m^2"), free)
+        self.assertLess(speed("--torque", "0.3 N.m"), free)
+
+    def test_what_happens_is_told_and_drawn(self):
+        picture = self.folder / "move.svg"
+        text = self.ok("move", MOVING, "--plot", picture)
+        for words in ("turns at", "It stops", "comes to rest and is held", "the drive is switched off"):
+            self.assertIn(words, text)
+        for words in ("speed", "angle", "torque of the contact", "time", "switched-off"):
+            self.assertIn(words, picture.read_text())
+
+    def test_a_drive_below_the_dynamic_start_voltage_does_not_start(self):
+        text = self.ok("move", MOVING, "--voltage", "100 V")
+        self.assertIn("does not run", text)
+
+    def test_what_cannot_be_is_refused(self):
+        self.assertIn("rotor_inertia", self.refused("move", DRIVE))
+        for options, expected in ((("--time", "0 s"), "--time: '0 s'; expected more than 0"),
+                                  (("--time", "1 h"), "periods of the drive"),
+                                  (("--torque", "1 W"), "--torque"), (("--voltage", "1 Hz"), "--voltage")):
+            self.assertIn(expected, self.refused("move", MOVING, *options))
+
+
+class Linearize(program.Case):
+    ONE = ("linearize", MOVING, "--inertia", "93e-6 kg.m^2")  # 1e-4 with the rotor's
+
+    def test_poles_and_gains_are_those_of_another_program(self):
+        plant = json.loads(self.ok(*self.ONE, "--format", "json"))
+        # To the digits given: -9,155, -1,760 +- 3,753 i; -9.83e-3 rad/s/Hz, 0.0532 rad/s/V, -2.81 rad/s/(N m).
+        poles = sorted((pole["real"], pole["imaginary"]) for pole in plant["poles"])
+        for (real, imaginary), expected in zip(poles, ((-9155, 0), (-1760, -3753), (-1760, 3753))):
+            self.assertAlmostEqual(real, expected[0], delta=1)
+            self.assertAlmostEqual(imaginary, expected[1], delta=1)
+        speed = plant["gains"]["speed"]
+        self.assertAlmostEqual(speed["frequency"]["value"], -9.83e-3, delta=0.005e-3)
+        self.assertAlmostEqual(speed["voltage"]["value"], 0.0532, delta=0.5e-4)
+        self.assertAlmostEqual(speed["load_torque"]["value"], -2.81, delta=0.005)
+
+    def test_every_format_has_the_same_matrices(self):
+        plant = json.loads(self.ok(*self.ONE, "--format", "json"))
+        path = self.folder / "plant.m"
+        self.ok(*self.ONE, "-o", path)  # the ending says the format
+        text = path.read_text().replace("...\n", " ")
+        for name in "ABCD":
+            rows = re.search(rf"^{name} = \[(.*?)\];", text, re.M | re.S)[1].split(";")
+            self.assertEqual([[float(cell) for cell in row.split(",")] for row in rows], plant[name])
+        entries = csv.DictReader(io.StringIO(self.ok(*self.ONE, "--format", "csv")))
+        names = {key: [one["name"] for one in plant[key]] for key in ("states", "inputs", "outputs")}
+        sides = {"A": ("states", "states"), "B": ("states", "inputs"), "C": ("outputs", "states"), "D": ("outputs", "inputs")}
+        count = 0
+        for entry in entries:
+            row, column = sides[entry["matrix"]]
+            at = names[row].index(entry["row"]), names[column].index(entry["column"])
+            self.assertEqual(float(entry["value"]), plant[entry["matrix"]][at[0]][at[1]])
+            count += 1
+        self.assertEqual(count, 16 + 12 + 20 + 15)
+
+    def test_what_cannot_be_is_refused(self):
+        self.assertIn("no steady running state", self.refused("linearize", MOVING, "--torque", "3 N.m"))
+        self.assertIn("rotor_inertia", self.refused("linearize", DRIVE))
+
+
+class Study(program.Case):
+    def study(self, text):
+        return self.write("one.yaml", f"twum: 1\nmotor: {MOVING}\nstudy:\n  kind: motion\n{text}")
+
+    def summary(self, text):
+        self.ok("run", self.study(text), "-o", self.folder / "out")
+        return json.loads((self.folder / "out/summary.json").read_text())["motion"]
+
+    def test_measures_of_a_start_and_a_stop(self):
+        motion = self.summary(
+            "  duration: 40 ms\n  load: {inertia: 93e-6 kg.m^2}\n  drive: {switched_off: [25 ms, 40 ms]}\n"
+            "  measure: ['time_to(speed, 90 %)', overshoot(speed), angle_after(25 ms), 'energy(0 ms, 25 ms)', time_of(held)]\n")
+        values = {one["measure"]: one["value"] for one in motion["measures"]}
+        # J = 1e-4: another program stops after 53.18 mrad; it has 9.20 ms.
+        self.assertAlmostEqual(values["angle_after(25 ms)"], 53.18e-3, delta=0.01 * 53.18e-3)
+        self.assertAlmostEqual(values["time_of(held)"], 34.2e-3, delta=0.05e-3)
+        self.assertGreater(values["overshoot(speed)"], 0)
+        self.assertLess(values["overshoot(speed)"], 0.1)
+        self.assertTrue(1e-3 < values["time_to(speed, 90 %)"] < 3e-3)
+        self.assertGreater(values["energy(0 ms, 25 ms)"], 0.5 * 1e-4 * 16.06**2)
+
+    def test_rows_of_a_drive_and_chosen_columns(self):
+        self.summary("  duration: 20 ms\n  initial: steady\n  drive: {frequency: [[5 ms, 40.8 kHz], [5 ms, 41.2 kHz]]}\n"
+                     "  output: {step: 1 ms, columns: [speed, frequency]}\n")
+        rows = list(csv.DictReader(io.StringIO((self.folder / "out/results.csv").read_text())))
+        self.assertEqual(len(rows), 21)
+        self.assertEqual([name for name in rows[0] if "[" in name], ["time [s]", "speed [rad/s]", "frequency [Hz]"])
+        speeds = [float(row["speed [rad/s]"]) for row in rows]
+        # The first and the last steady speed of a direct integration, 16.0627 and 12.8449 rad/s.
+        self.assertAlmostEqual(speeds[0], 16.062727, delta=1e-4 * 16)
+        self.assertAlmostEqual(speeds[-1], 12.844872, delta=1e-3 * 13)
+
+    def test_a_family_has_a_line_for_each_motor(self):
+        motion = self.summary("  duration: 5 ms\n  family: {load_inertia: [0 kg.m^2, 1e-4 kg.m^2]}\n")
+        self.assertEqual([one["load_inertia"] for one in motion["motors"]], [0, 1e-4])
+        self.assertEqual({one["status"] for one in motion["motors"]}, {"ok"})
+
+    def test_a_motion_that_ends_early_is_a_result(self):
+        motion = self.summary("  duration: 10 ms\n  drive: {reversed: [5 ms, 10 ms]}\n")
+        self.assertEqual((motion["status"], motion["end"]), ("swap-too-early", 0.005))
+
+
+if __name__ == "__main__":
+    program.main()

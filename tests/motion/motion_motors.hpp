@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/driven_motors.hpp"
+
+#include <twum/motion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::test {
+
+/// The motor of examples/motors/drive-60.yaml with an elastic layer and one slice, to which most numbers of the theory of motion
+/// belong.
+inline MotorDesign elastic_60(double inertia, double voltage = 140, double frequency = 40.8e3) {
+  MotorDesign design = driven_motor(voltage, frequency);
+  design.stator.wavelengths = 9;
+  design.stator.contact_radius = 0.0265;
+  design.stator.contact_width = 0.004;
+  design.stator.neutral_plane_distance = 0.003;
+  design.stator.quality_factor = 153;
+  design.stator.loss_tangent = 0;
+  design.rotor.inertia = inertia;
+  return design;
+}
+
+/// A_1 of a motor with one slice (D1.5) [m].
+inline double contact_opens_at(const MotorDesign& d) {
+  return d.preload * d.layer.thickness /
+         (2 * std::numbers::pi * d.stator.contact_radius * d.stator.contact_width *
+          d.layer.youngs_modulus);
+}
+
+/// mu F_N r [N m].
+inline double largest_torque(const MotorDesign& d) {
+  return d.friction.kinetic * d.preload * d.stator.contact_radius;
+}
+
+/// Equally spaced times from 0 to `end`.
+inline std::vector<double> times_to(double end, int count) {
+  std::vector<double> times;
+  for (int k = 0; k <= count; ++k) times.push_back(end * k / count);
+  return times;
+}
+
+/// The time of the first event of a kind; -1 without one.
+inline double time_of(const motion::Motion& m, motion::MotionEventKind kind) {
+  const auto found = std::ranges::find(m.events, kind, &motion::MotionEvent::kind);
+  return found == m.events.end() ? -1 : found->time;
+}
+
+inline int count_of(const motion::Motion& m, motion::MotionEventKind kind) {
+  return static_cast<int>(std::ranges::count(m.events, kind, &motion::MotionEvent::kind));
+}
+
+}  // namespace twum::test

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies of motions in time.
+#include "entries/motion_columns.hpp"
+#include "entries/motion_task.hpp"
+
+#include "support/motor_files.hpp"
+
+#include <twum/io/value_error.hpp>
+#include <twum/motors/motor_file.hpp>
+#include <twum/studies/run_study.hpp>
+#include <twum/studies/telling.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+
+namespace {
+
+MotorDesign moving_motor() { return read_motor_file(motor_path("moving-60")).design; }
+
+StudyResult moved(MotionStudy asked, const MotorDesign& design = moving_motor()) {
+  return run_study({.motor = {"motor", design}, .asked = std::move(asked)});
+}
+
+const MotionResult& motion_of(const StudyResult& result) {
+  return std::get<MotionResult>(result.answer);
+}
+
+MotionStudy start_and_stop() {
+  MotionStudy asked;
+  asked.duration = 0.03;
+  asked.drive.switched_off = {{0.02, 0.03}};
+  return asked;
+}
+
+}  // namespace
+
+TEST_CASE("a study's motion is that of the engine", "[studies][motion]") {
+  MotionStudy asked = start_and_stop();
+  asked.load.torque = motion::Profile({{0, 0}, {0.01, 0.1}});
+  asked.load.inertia = 1e-4;
+  const StudyResult result = moved(asked);
+  REQUIRE(result.outcome == "done");
+  MotorDesign design = moving_motor();
+  design.load = ShaftLoad{.inertia = 1e-4};
+  motion::MotionTask task = motion::steady_drive(design, 0.03);
+  task.switched_off = {{0.02, 0.03}};
+  task.load_torque = motion::Profile({{0, 0}, {0.01, 0.1}});
+  const motion::Motion direct = motion::simulate(design, task);
+  const motion::Motion& own = motion_of(result).members.at(0).motion;
+  CHECK(own.last.speed == direct.last.speed);
+  CHECK(own.last.angle == direct.last.angle);
+  REQUIRE(own.events.size() == direct.events.size());
+  for (std::size_t i = 0; i < own.events.size(); ++i)
+    CHECK(own.events[i].time == direct.events[i].time);
+  CHECK(own.samples.size() == 1001);
+}
+
+TEST_CASE("measures are numbers of the samples", "[studies][motion]") {
+  MotionStudy asked = start_and_stop();
+  for (const char* text :
+       {"time_to(speed, 90 %)", "time_to(speed, 100 rpm)", "overshoot(speed)", "peak(amplitude)",
+        "angle_after(20.015 ms)", "energy(0 ms, 20 ms)", "time_of(held)", "time_of(pulled-out)"})
+    asked.measure.push_back(motion_measure(text));
+  const StudyResult result = moved(asked);
+  const MotionResult::Member& motor = motion_of(result).members.at(0);
+  const auto& samples = motor.motion.samples;
+  const auto value = [&](std::size_t i) { return motor.measures.at(i).value; };
+  const auto speed_at = [&](double time) {
+    return std::ranges::lower_bound(samples, time, {}, &motion::MotionSample::time)->speed;
+  };
+  const double settled = speed_at(0.02);
+  // Between the samples about the time, 30 us apart.
+  CHECK(speed_at(value(0) - 30e-6) < 0.9 * settled);
+  CHECK(speed_at(value(0)) >= 0.9 * settled);
+  CHECK(speed_at(value(1) - 30e-6) < 100 * M_PI / 30);
+  CHECK(speed_at(value(1)) >= 100 * M_PI / 30);
+  double largest = 0, amplitude = 0;
+  for (const auto& s : samples) {
+    largest = std::max(largest, s.speed);
+    amplitude = std::max(amplitude, s.amplitude);
+  }
+  CHECK(value(2) == Approx(largest / settled - 1).epsilon(1e-12));
+  CHECK(value(3) == amplitude);
+  // 20.015 ms is no time of a row: the motion has a sample there all the same.
+  const auto off = std::ranges::lower_bound(samples, 0.020015, {}, &motion::MotionSample::time);
+  CHECK(off->time == 0.020015);
+  CHECK(value(4) == samples.back().angle - off->angle);
+  CHECK(value(5) ==
+        std::ranges::lower_bound(samples, 0.02, {}, &motion::MotionSample::time)->energy);
+  CHECK(value(6) > 0.02);
+  CHECK(std::isnan(value(7)));
+}
+
+TEST_CASE("a measure that is none says what would be right", "[studies][motion]") {
+  CHECK_THROWS_WITH(motion_measure("overshot(speed)"), Catch::Contains("did you mean 'overshoot'"));
+  CHECK_THROWS_WITH(motion_measure("peak(sped)"), Catch::Contains("did you mean 'speed'"));
+  CHECK_THROWS_WITH(motion_measure("peak"), Catch::Contains("peak(phase_current)"));
+  CHECK_THROWS_WITH(motion_measure("time_of(stopped)"), Catch::Contains("no event"));
+  CHECK_THROWS_AS(motion_measure("time_to(speed, 3 V)"), ValueError);
+}
+
+TEST_CASE("a family of motions has a motor for each value", "[studies][motion]") {
+  MotionStudy asked = start_and_stop();
+  asked.family = CurveStudy::Family{Parameter::load_inertia, {0, 1e-4}};
+  const StudyResult result = moved(asked);
+  const MotionResult& answer = motion_of(result);
+  REQUIRE(answer.members.size() == 2);
+  CHECK(answer.members[0].value == 0);
+  CHECK(answer.members[1].value == 1e-4);
+  // The heavier rotor takes longer to stop: its kinetic energy is 15 times as large.
+  CHECK(answer.members[1].motion.last.angle - answer.members[0].motion.last.angle > 0.02);
+  CHECK(summary_text(result).find("load_inertia 0.0001 kg.m^2") != std::string::npos);
+}
+
+TEST_CASE("a motion is told by its start and its stop", "[studies][motion]") {
+  const std::string text = summary_text(moved(start_and_stop()));
+  for (const char* words : {"turns at", "It stops", "comes to rest and is held"}) {
+    CAPTURE(words, text);
+    CHECK(text.find(words) != std::string::npos);
+  }
+  MotionStudy weak = start_and_stop();
+  weak.drive.voltage = 80.0;
+  CHECK(summary_text(moved(weak)).find("does not run") != std::string::npos);
+}
