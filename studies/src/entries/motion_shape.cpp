@@ -91,7 +91,7 @@ bool more_than_zero(const Given& given, const char* name, double value, Diagnost
   return false;
 }
 
-bool check_motion(MotionStudy& study, const Given& given, Diagnostics& diagnostics) {
+bool has_duration(MotionStudy& study, const Given& given, Diagnostics& diagnostics) {
   return more_than_zero(given, "duration", study.duration, diagnostics);
 }
 
@@ -119,7 +119,7 @@ Shape<MotionStudy> MotionStudy::shape() {
        optional<M>("load", load_shape(), &M::load, "the motor's"),
        optional<M>("output", output_shape(), &M::output, "a thousand rows"),
        optional<M>("measure", measures, &M::measure, "none")},
-      check_motion);
+      has_duration);
 }
 
 }  // namespace twum::studies

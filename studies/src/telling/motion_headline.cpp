@@ -12,27 +12,27 @@
 namespace twum::studies::telling {
 namespace {
 
-using Motor = MotionResult::Member;
+using MovedMotor = MotionResult::Member;
 using motion::MotionEvent;
 using motion::MotionEventKind;
 using motion::MotionSample;
 
 // The sample at which the drive is switched off first, or the last one.
-const MotionSample& settled(const Motor& motor) {
+const MotionSample& settled(const MovedMotor& motor) {
   const auto& samples = motor.motion.samples;
   const auto off = std::ranges::find_if(samples, [](const MotionSample& s) { return s.off; });
   if (samples.empty()) return motor.motion.last;
   return off == samples.end() || off == samples.begin() ? samples.back() : *(off - 1);
 }
 
-std::optional<double> time_of(const Motor& motor, MotionEventKind kind, double from) {
+std::optional<double> time_of(const MovedMotor& motor, MotionEventKind kind, double from) {
   for (const MotionEvent& event : motor.motion.events)
     if (event.kind == kind && event.time >= from) return event.time;
   return {};
 }
 
 // When the rotor first has a speed, of either sign; linear between samples.
-std::optional<double> time_to(const Motor& motor, double speed) {
+std::optional<double> time_to(const MovedMotor& motor, double speed) {
   const auto& samples = motor.motion.samples;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double before = std::abs(samples[i - 1].speed), here = std::abs(samples[i].speed);
@@ -42,9 +42,9 @@ std::optional<double> time_to(const Motor& motor, double speed) {
   return {};
 }
 
-bool runs(const Motor& motor) { return settled(motor).amplitude > 3 * motor.opening_amplitude; }
+bool runs(const MovedMotor& motor) { return settled(motor).amplitude > 3 * motor.opening_amplitude; }
 
-Phrase running_sentence(const MotionResult& answer, const Motor& motor) {
+Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
   const MotionSample& at = settled(motor);
   Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
   if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
@@ -62,7 +62,7 @@ Phrase running_sentence(const MotionResult& answer, const Motor& motor) {
   return phrase;
 }
 
-Phrase stopping_sentence(const Motor& motor) {
+Phrase stopping_sentence(const MovedMotor& motor) {
   const auto stopped = time_of(motor, MotionEventKind::held, *motor.off_at);
   if (!stopped)
     return {"It still turns at ", value_part(motor.motion.last.speed, "rad/s", 3), ", ",
@@ -79,8 +79,8 @@ Phrase stopping_sentence(const Motor& motor) {
 }
 
 // The first motor that has no answer or does not run, or the first one.
-const Motor& told_motor(const MotionResult& answer) {
-  const auto odd = std::ranges::find_if(answer.members, [](const Motor& motor) {
+const MovedMotor& told_motor(const MotionResult& answer) {
+  const auto odd = std::ranges::find_if(answer.members, [](const MovedMotor& motor) {
     return motor.motion.status != "ok" || !runs(motor);
   });
   return odd == answer.members.end() ? answer.members.front() : *odd;
@@ -89,7 +89,7 @@ const Motor& told_motor(const MotionResult& answer) {
 }  // namespace
 
 Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) {
-  const Motor& motor = told_motor(answer);
+  const MovedMotor& motor = told_motor(answer);
   std::vector<Phrase> sentences;
   const bool complete = motor.motion.status == "ok";
   if (!complete)

@@ -11,7 +11,7 @@
 namespace twum::studies::telling {
 namespace {
 
-using Motor = MotionResult::Member;
+using MovedMotor = MotionResult::Member;
 using motion::MotionEvent;
 using motion::MotionEventKind;
 using motion::MotionSample;
@@ -34,7 +34,7 @@ const char* event_words(MotionEventKind kind) {
 }
 
 // Without a rotor that drives the wave again: it may do so at each beat of the wave.
-std::vector<MotionEvent> told_events(const Motor& motor) {
+std::vector<MotionEvent> told_events(const MovedMotor& motor) {
   std::vector<MotionEvent> told;
   for (const MotionEvent& event : motor.motion.events) {
     const bool again = event.kind == MotionEventKind::overruns && !told.empty() &&
@@ -49,7 +49,7 @@ Section events(const MotionResult& answer) {
   Table table{"events", {{"motor"}, {"time"}, {"event"}, {"angle"}, {"speed"}, {"amplitude"}}, {}};
   table.keys = 3;
   if (answer.family) table.typed = 4;  // a long name and all of them are wider than a terminal
-  for (const Motor& motor : answer.members) {
+  for (const MovedMotor& motor : answer.members) {
     const std::vector<MotionEvent> told = told_events(motor);
     for (std::size_t i = 0; i < std::min(kTold, told.size()); ++i)
       table.rows.push_back({family_phrase(answer.family, motor.value),
@@ -69,7 +69,7 @@ Section events(const MotionResult& answer) {
 Section measures(const MotionResult& answer) {
   Section section{{"Measures"}, {}};
   Table table{"measures", {{"motor"}, {"measure"}, {"value"}}, {}};
-  for (const Motor& motor : answer.members)
+  for (const MovedMotor& motor : answer.members)
     for (const MotionResult::Measure& one : motor.measures) {
       const Part number = std::isnan(one.value) ? Part("-")
                           : one.unit == "s"     ? time_part(one.value)
@@ -106,7 +106,7 @@ Chart course_chart(const MotionResult& answer, const Course& course) {
               {{"time"}, unit.unit, false, 0, answer.duration / unit.seconds},
               {{course.title}, course.unit, course.zero}};
   for (std::size_t k = 0; k < answer.members.size(); ++k) {
-    const Motor& motor = answer.members[k];
+    const MovedMotor& motor = answer.members[k];
     const std::string name = answer.family
                                  ? written(family_phrase(answer.family, motor.value), Writing::read)
                                  : std::string{};
@@ -148,9 +148,9 @@ std::vector<Section> sections_of(const MotionResult& answer, const Sources& /*so
   if (answer.members.empty()) return {};
   std::vector<Section> sections{courses(answer)};
   const auto any = [&](auto has) { return std::ranges::any_of(answer.members, has); };
-  if (any([](const Motor& motor) { return !motor.measures.empty(); }))
+  if (any([](const MovedMotor& motor) { return !motor.measures.empty(); }))
     sections.push_back(measures(answer));
-  if (any([](const Motor& motor) { return !motor.motion.events.empty(); }))
+  if (any([](const MovedMotor& motor) { return !motor.motion.events.empty(); }))
     sections.push_back(events(answer));
   return sections;
 }
