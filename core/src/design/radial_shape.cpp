@@ -99,9 +99,11 @@ std::string track_complaint(const MotorDesign& design) {
     return "contact_width must be less than twice the contact_radius = " +
            millimetres(stator.contact_radius) + ", but is " + millimetres(stator.contact_width);
   const RadialShape& shape = stator.radial_shape;
+#ifndef __wasm__  // a page leaves radial motion out
   if (stator.radial_motion && !has_radial_shape(design))
     return "radial_motion needs the wave's radial shape, by radial_shape or geometry, but is true "
            "without one";
+#endif
   if ((stator.radial_slices == 1 && !stator.radial_motion) || stator.geometry) return {};
   if (!shape.table.empty()) {
     const std::string wrong = table_complaint(shape.table, inner, outer);

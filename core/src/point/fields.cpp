@@ -121,7 +121,8 @@ FieldSample untouched_sample(const Slice<double>& s, double speed, double theta)
           0,
           s.crest_velocity * std::cos(theta),
           s.radius * speed,
-          s.radial == 0 ? 0 : s.radial * s.crest_velocity * std::sin(theta),
+          contact::kHasRadialMotion && s.radial != 0 ? s.radial * s.crest_velocity * std::sin(theta)
+                                                     : 0,
           0};
 }
 
@@ -145,8 +146,9 @@ FieldSample locked_sample(const DrivenMotor<double>& m, const Slice<double>& s, 
       mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
   sample.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
   sample.layer_velocity = sample.stator_velocity;
-  sample.radial_traction =
-      P * swing * s.radial * (n.damping * std::sin(theta) - (1 - n.inertia) * std::cos(theta));
+  if constexpr (contact::kHasRadialMotion)
+    sample.radial_traction =
+        P * swing * s.radial * (n.damping * std::sin(theta) - (1 - n.inertia) * std::cos(theta));
   return sample;
 }
 

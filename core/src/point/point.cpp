@@ -87,11 +87,12 @@ struct Lock {
             back = n.threshold - n.damping * n.stick_rate;
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);
-    const S motion = 1.0 + n.radial * n.radial;  // of both components
-    damping_work = 0.5 * n.damping * n.stick_rate * motion;
-    reactive_force = 0.5 * swing * motion;
+    damping_work = 0.5 * n.damping * n.stick_rate;
+    reactive_force = 0.5 * swing;
     if constexpr (contact::kHasRadialMotion) {
       if (value_of(n.radial) == 0) return;
+      const S motion = 1.0 + n.radial * n.radial;  // of both components
+      damping_work = motion * damping_work, reactive_force = motion * reactive_force;
       const contact::RadialLock<S> lock(n);
       low = lock.low, high = lock.high;
     }
@@ -309,7 +310,7 @@ static double gained(const contact::LayerState<double>& slope,
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
                                                    const MovingStates& states) const {
-  if (m.track.radial) return {};  // no zones in closed form to follow
+  if (contact::kHasRadialMotion && m.track.radial) return {};  // no zones in closed form to follow
   const PointSlices<double> slices(m, fixed_places(splits_));
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())

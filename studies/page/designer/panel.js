@@ -320,7 +320,7 @@ export class DesignerPanel {
   showNotes() {
     const notes = this.core.notes(true);
     if (this.state.opened.besides['stator.radial_motion'] === 'true')
-      notes.unshift('this page leaves out the radial motion of the surface, which twum curve computes');
+      notes.unshift('radial motion is left out on this page');
     this.tell(notes.map((note) => 'Note: ' + note + '.').join(' '));
   }
 

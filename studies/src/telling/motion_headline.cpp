@@ -42,7 +42,9 @@ std::optional<double> time_to(const MovedMotor& motor, double speed) {
   return {};
 }
 
-bool runs(const MovedMotor& motor) { return settled(motor).amplitude > 3 * motor.opening_amplitude; }
+bool runs(const MovedMotor& motor) {
+  return settled(motor).amplitude > 3 * motor.opening_amplitude;
+}
 
 Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
   const MotionSample& at = settled(motor);
