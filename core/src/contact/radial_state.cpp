@@ -177,7 +177,8 @@ class RadialSearch {
   void finish() {
     const double friction = s_.lap.means.friction_power;
     balance(n_, s_.lap.means);
-    const bool agree = std::fabs(s_.lap.means.friction_power - friction) <= kAgreement * scale_;
+    const bool agree = std::fabs(s_.lap.means.friction_power - friction) <=
+                       kAgreement * scale_ * (1 + std::fabs(n_.speed_ratio));
     s_.status = agree ? PeriodicStatus::ok : PeriodicStatus::unresolved;
     // What a difference leaves after the flight is less than a derivative is good for.
     const double flight = 2 * (std::numbers::pi - n_.half_angle);

@@ -112,7 +112,7 @@ class SlipStep {
   /// Adds the step to the means, times 2 pi.
   void add_to(ContactMeans<S>& means) const;
   /// Size of the last term of the step as a series of polynomials: of the direction of slip, weighed with the pressure, and of
-  /// the layer's velocity in units of V0.
+  /// the layer's velocity in units of V0 and the rotor's speed.
   double last_term() const;
 
  private:

@@ -169,7 +169,8 @@ inline double SlipStep<double>::last_term() const {
     traction = traction + (table().highest[i] * surface_[i].pressure) * direction(i);
     rate = rate + table().highest[i] * rates_[i];
   }
-  return std::fmax(length(traction) / n_.peak, length(rate) / n_.stick_rate);
+  return std::fmax(length(traction) / n_.peak,
+                   length(rate) / (n_.stick_rate * (1 + std::fabs(n_.speed_ratio))));
 }
 
 }  // namespace twum::contact
