@@ -67,6 +67,9 @@ class MotionCheck {
     if (motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
       say_of_motor("its phases or modes are unequal (stator.imbalance), but a motion has one wave",
                    "leave them out");
+    if (motor_.stator.radial_motion)
+      say_of_motor("its surface also moves radially, with which a motion would take hours",
+                   "write 'radial_motion: false' under stator");
   }
 
   void check_entries_of_drive() {
