@@ -31,10 +31,6 @@ void require_equal_phases(const MotorDesign& design) {
 }
 
 double required_inertia(const MotorDesign& design) {
-  if (design.stator.radial_motion)
-    throw InputError(
-        "radial_motion must be false for a motion in time, which would take hours with it, but is "
-        "true");
   if (!design.rotor.inertia)
     throw InputError(
         "rotor_inertia is missing; a motion needs it: give rotor.inertia, such as 7e-6 kg.m^2");

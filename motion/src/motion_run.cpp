@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motion_run.hpp"
 
+#include <twum/base/error.hpp>
+
 #include "sample.hpp"
 #include "steady.hpp"
 
@@ -24,7 +26,12 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task)
       stretches_(stretches_of(task, model_.driven)),
       equations_(model_),
       integrator_(equations_, 2, task.tolerance, absolute_tolerances()),
-      watch_(equations_) {}
+      watch_(equations_) {
+  if (design.stator.radial_motion)
+    throw InputError(
+        "radial_motion must be false for a motion in time, which would take hours with it, but is "
+        "true");
+}
 
 // A tenth of the amplitude at which the contact opens, or without contact a thousandth of the free wave at resonance.
 double MotionRun::smallest_scale() const {

@@ -158,11 +158,13 @@ TEST_CASE("the table of another program: torque, powers, forces (R2.4, R2.5)",
     CHECK(off <= 2e-6 + row["error_of_torque"]);
     CHECK(powers <= 2e-6 + row["error_of_torque"]);
     if (std::max(off, powers) > 1e-6 + row["error_of_torque"]) ++beyond;
+    // The tangential part of Re F has the scale of the powers over omega A, which is below Re F itself.
     CHECK(p.reactive_force == Approx(row["ReF"]).epsilon(2e-6));
     // Im F = P_in / (omega A): the force of both tractions on the wave does the work that goes in.
     const double omega = 2 * kPi * design.stator.frequency;
     CHECK(p.stator_power / (omega * design.stator.amplitude) ==
           Approx(row["ImF"]).epsilon(1e-8).margin(2e-6 * std::abs(row["ReF"])));
+    // The table counts steps, of which a contact has 20,000, at each end of a zone.
     CHECK(p.stick_fraction == Approx(row["stick_fraction"]).margin(1e-4));
     ++rows;
   }
@@ -170,7 +172,8 @@ TEST_CASE("the table of another program: torque, powers, forces (R2.4, R2.5)",
   CHECK(beyond == 2);
 }
 
-// 1e-6: what three levels of first-order steps leave, about (1 / 10,000)^2 times the number of zones.
+// 2e-6: the ends of zones fall between steps, which leaves the square of a step of 1 / 10,000 of the contact, times the rates, some ten,
+// and the number of zones; and the lap itself is good to 4e-7.
 TEST_CASE("a direct integration step by step (R2.1, R2.2, R2.3, R3.1, R3.2)",
           "[core][radial][oracle]") {
   Uniform random(71);

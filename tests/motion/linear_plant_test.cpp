@@ -17,20 +17,6 @@ using namespace twum;
 using namespace twum::motion;
 using namespace twum::test;
 
-MotorDesign motor_of(const CsvRow& row) {
-  MotorDesign d;
-  Stator& s = d.stator;
-  s.wavelengths = row["n"], s.contact_radius = row["r"], s.contact_width = row["b"];
-  s.neutral_plane_distance = row["a"], s.frequency = row["f"], s.voltage = row["V_rms"];
-  s.resonance_frequency = row["f_r"], s.modal_mass = row["m"], s.modal_damping = row["d"];
-  s.force_factor = row["Theta"];
-  d.layer.thickness = row["h"], d.layer.youngs_modulus = row["E"];
-  d.layer.given_shear_modulus = row["G"], d.layer.loss_factor = 0, d.layer.density = 0;
-  d.friction = {row["mu"], row["mu"]}, d.preload = row["F_N"];
-  d.rotor.inertia = row["J"], d.load = ShaftLoad{.damping = row["c_L"]};
-  return d;
-}
-
 std::size_t row_of(const LinearPlant& plant, const std::string& output) {
   std::size_t row = 0;
   for (const Signal& one : plant.outputs) {
@@ -46,7 +32,7 @@ TEST_CASE("steady state, poles and gains are those of another program (M7.1, M7.
           "[motion][linear][reference]") {
   for (const CsvRow& row : csv_rows("motion/linear.csv")) {
     CAPTURE(row.word("case"));
-    const LinearPlant plant = linearize(motor_of(row), row["TL"]);
+    const LinearPlant plant = linearize(motor_of_row(row, "f", "V_rms"), row["TL"]);
     CHECK(plant.states[0].steady == Approx(row["A"]).epsilon(1e-8));
     CHECK(std::remainder(plant.states[1].steady - row["phi"], 2 * std::numbers::pi) ==
           Approx(0).margin(1e-8 * std::abs(row["phi"])));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "support/csv_rows.hpp"
 #include "support/driven_motors.hpp"
 
 #include <twum/motion.hpp>
@@ -23,6 +24,22 @@ inline MotorDesign elastic_60(double inertia, double voltage = 140, double frequ
   design.stator.loss_tangent = 0;
   design.rotor.inertia = inertia;
   return design;
+}
+
+/// The motor of a row of reference/motion: elastic, one slice.
+/// @param frequency, voltage  names of their columns
+inline MotorDesign motor_of_row(const CsvRow& row, const char* frequency, const char* voltage) {
+  MotorDesign d;
+  Stator& s = d.stator;
+  s.wavelengths = row["n"], s.contact_radius = row["r"], s.contact_width = row["b"];
+  s.neutral_plane_distance = row["a"], s.frequency = row[frequency], s.voltage = row[voltage];
+  s.resonance_frequency = row["f_r"], s.modal_mass = row["m"], s.modal_damping = row["d"];
+  s.force_factor = row["Theta"];
+  d.layer.thickness = row["h"], d.layer.youngs_modulus = row["E"];
+  d.layer.given_shear_modulus = row["G"], d.layer.loss_factor = 0, d.layer.density = 0;
+  d.friction = {row["mu"], row["mu"]}, d.preload = row["F_N"];
+  d.rotor.inertia = row["J"], d.load = ShaftLoad{.damping = row["c_L"]};
+  return d;
 }
 
 /// A_1 of a motor with one slice (D1.5) [m].

@@ -18,20 +18,6 @@ using namespace twum::motion;
 using namespace twum::test;
 using Event = MotionEventKind;
 
-MotorDesign motor_of_step(const CsvRow& row) {
-  MotorDesign d;
-  Stator& s = d.stator;
-  s.wavelengths = row["n"], s.contact_radius = row["r"], s.contact_width = row["b"];
-  s.neutral_plane_distance = row["a"], s.frequency = row["f0"], s.voltage = row["V0_rms"];
-  s.resonance_frequency = row["f_r"], s.modal_mass = row["m"], s.modal_damping = row["d"];
-  s.force_factor = row["Theta"];
-  d.layer.thickness = row["h"], d.layer.youngs_modulus = row["E"];
-  d.layer.given_shear_modulus = row["G"], d.layer.loss_factor = 0, d.layer.density = 0;
-  d.friction = {row["mu"], row["mu"]}, d.preload = row["F_N"];
-  d.rotor.inertia = row["J"], d.load = ShaftLoad{.damping = row["c_L"]};
-  return d;
-}
-
 Profile step(double before, double after) { return Profile({{0, before}, {0, after}}); }
 
 // A number, or "time:value,time:value,...".
@@ -53,7 +39,7 @@ TEST_CASE("steps of voltage, frequency and load follow another program (M2.1, M2
     task.voltage = step(row["V0_rms"], row["V1_rms"]);
     task.frequency = step(row["f0"], row["f1"]);
     task.load_torque = step(row["TL0"], row["TL1"]);
-    const Motion m = simulate(motor_of_step(row), task);
+    const Motion m = simulate(motor_of_row(row, "f0", "V0_rms"), task);
     REQUIRE(m.status == "ok");
     CHECK(m.last.time == row["t"]);
     // The default tolerance of 1.5e-7 leaves up to 8e-7 over the hundreds of steps of these motions.

@@ -3,6 +3,7 @@
 
 #include "contact/first_zero.hpp"
 #include "contact/layer_motion.hpp"
+#include "contact/plane_stick.hpp"
 #include "contact/slip_step_solve.hpp"
 
 #include <algorithm>
@@ -22,62 +23,6 @@ template <typename S>
 PlaneState<double> values_of(const PlaneState<S>& x) {
   return {values_of(x.e), values_of(x.rate)};
 }
-
-// Strain of a layer that sticks from here on: e' = s (cos theta - V, q sin theta) (R2.2).
-template <typename S>
-PlaneWave<S> carried_strain(const ContactNumbers<S>& n, const S& theta, const Trig<S>& at,
-                            const Plane<S>& e) {
-  const S& s = n.stick_rate;
-  const S zero(0.0), drift = -(s * n.speed_ratio);
-  PlaneWave<S> wave{{zero, zero}, {drift, zero}, {zero, -(s * n.radial)}, {s, zero}};
-  wave.constant = e - wave.at(theta, at);
-  return wave;
-}
-
-// Its traction, M e'' + C e' + e.
-template <typename S>
-PlaneWave<S> carried_traction(const ContactNumbers<S>& n, const PlaneWave<S>& e) {
-  const S rest = 1.0 - n.inertia;
-  return {e.constant + n.damping * e.drift, e.drift, rest * e.cosine + n.damping * e.sine,
-          rest * e.sine - n.damping * e.cosine};
-}
-
-// What is left to the threshold, f = mu_0^2 p^2 - |t|^2 (R3.2), along a stick zone, with bounds of its derivatives as long as it is
-// positive: there |t| <= mu_0 p.
-class Reserve {
- public:
-  Reserve(const ContactNumbers<double>& n, const PlaneWave<double>& t, double theta,
-          const Trig<double>& at)
-      : n_(n), t_(t), theta_(theta), at_(at) {
-    const double swing = length(t.cosine) + length(t.sine), rate = length(t.drift) + swing;
-    const double square = n.threshold * n.threshold, size = n.threshold * n.peak;
-    second_ = 2 * square * (1 + n.peak) + 2 * (rate * rate + size * swing);
-    third_ = 2 * square * (3 + n.peak) + 2 * (3 * rate * swing + size * swing);
-  }
-
-  CurveSample first() const { return sample_at(theta_, at_); }
-  CurveSample sample(double x) const { return sample_at(theta_ + x, trig(theta_ + x)); }
-  CurveSample terms(double x) const { return sample(x); }
-
- private:
-  CurveSample sample_at(double theta, const Trig<double>& a) const {
-    const double k = n_.threshold * n_.threshold, p = n_.peak - a.versine;
-    const Plane<double> t = t_.at(theta, a), t1 = t_.slope(a), t2 = t_.bend(a), t3 = t_.drift - t1;
-    return {k * p * p - dot(t, t),
-            2 * (-k * p * a.sin - dot(t, t1)),
-            2 * (k * (a.sin * a.sin - p * a.cos) - dot(t1, t1) - dot(t, t2)),
-            second_,
-            third_,
-            0,
-            2 * (k * a.sin * (3 * a.cos + p) - 3 * dot(t1, t2) - dot(t, t3))};
-  }
-
-  const ContactNumbers<double>& n_;
-  PlaneWave<double> t_;
-  double theta_;
-  Trig<double> at_;
-  double second_, third_;
-};
 
 template <typename S>
 class RadialRunner {
@@ -117,7 +62,9 @@ class RadialRunner {
  private:
   using Angles = SlipStep<double>::Stages<double>;
   static constexpr int kMostZones = 1000;
-  static constexpr double kStalled = 1e-10;  // [rad]
+  // Lengths [rad]: of zones that count as none, of steps that are taken whatever their error is, and of those that are none.
+  static constexpr double kStalled = 1e-10, kShortest = 1e-9, kNoStep = 1e-13;
+  static constexpr double kMostLonger = 3, kMostShorter = 0.1;
   static constexpr double kLastTerm = 1e-4;  // of mu p(0), of a step as long as the contact
 
   bool elastic() const { return values_.inertia == 0 && values_.damping == 0; }
@@ -129,14 +76,14 @@ class RadialRunner {
     return values_.stick_rate * length(v) <= values_.kinetic * values_.edge.sin;
   }
 
-  // An elastic layer snaps from mu_0 p to mu p when it is released (T4.4). It sticks again if slip would be backward.
+  // An elastic layer snaps from mu_0 p to mu p when it is released (T4.4). It sticks again where (R2.7) says that slip would be backward.
   bool sticks_again() {
     if (!elastic() || !(values_.threshold > values_.kinetic)) return false;
     const S p = n_.peak - at_.versine;
     const S before = n_.threshold * p, after = n_.kinetic * p;
     lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
     lap_.itinerary = marked(lap_.itinerary, 7);
-    layer_.e = S(after / before) * layer_.e;
+    layer_.e = S(n_.kinetic / n_.threshold) * layer_.e;
     const Plane<double> e = values_of(layer_.e);
     const Plane<double> v = surface_motion(values_, trig_here()).velocity;
     return dot(v, e) / length(e) + values_.kinetic * value_of(at_.sin) / values_.stick_rate <= 0;
@@ -162,8 +109,8 @@ class RadialRunner {
     if (std::isnan(x)) return fail();
     const S from = theta_;
     const Trig<S> at_from = at_;
-    x == kNoZero ? reach_exit() : advance(released(t, x));
-    add_stick(t, e, from, at_from);
+    x == kNoZero ? reach_exit() : advance(released(n_, t, theta_, x));
+    add_stick(n_, t, e, {from, at_from}, {theta_, at_}, lap_.means);
     if (trace_)
       trace_->push_back(
           {value_of(from),
@@ -183,66 +130,12 @@ class RadialRunner {
     const auto length_from = [&](double skipped, StartOrder known) {
       const double from = value_of(theta_) + skipped;
       const Trig<double> at = skipped > 0 ? trig(from) : trig_here();
-      return first_zero(Reserve(values_, t, from, at), left() - skipped, known, work, 100'000);
+      return first_zero(PlaneReserve(values_, t, from, at), left() - skipped, known, work, 100'000);
     };
     const double x = length_from(0, order);
     const double passed = stalled_ > 4 ? std::ldexp(kStalled, std::min(stalled_ - 4, 30)) : 0;
     if (!(x < passed)) return x;
     return passed < left() ? passed + length_from(passed, StartOrder::positive) : kNoZero;
-  }
-
-  // Where the traction reaches its threshold, in S.
-  S released(const PlaneWave<S>& t, double x) const {
-    S length(x);
-    for (int i = 0; i < kDualDepth<S>; ++i) {
-      const S theta = theta_ + length;
-      const Trig<S> a = trig(theta);
-      const S p = n_.peak - a.versine, k = n_.threshold * n_.threshold;
-      const Plane<S> traction = t.at(theta, a);
-      const S f = k * p * p - dot(traction, traction);
-      const S slope = -2.0 * (k * p * a.sin + dot(traction, t.slope(a)));
-      length = with_value(S(length - with_value(f, 0.0) / value_of(slope)), x);
-    }
-    return length;
-  }
-
-  // Means of a stick zone. Its tractions are waves, so that Gauss' rule would do; the closed forms are shorter.
-  void add_stick(const PlaneWave<S>& t, const PlaneWave<S>& e, const S& from,
-                 const Trig<S>& at_from) {
-    ContactMeans<S>& m = lap_.means;
-    const S span = theta_ - from;
-    m.stick_length += span;
-    // Integrals of 1, theta, cos, sin times 1, cos, sin.
-    const S d_sin = at_.sin - at_from.sin, d_cos = at_.cos - at_from.cos;
-    const S cos_cos = 0.5 * (span + at_.sin * at_.cos - at_from.sin * at_from.cos);
-    const S sin_sin = span - cos_cos,
-            sin_cos = 0.5 * (at_.sin * at_.sin - at_from.sin * at_from.sin);
-    const S theta_1 = 0.5 * (theta_ * theta_ - from * from);
-    const S theta_cos = theta_ * at_.sin - from * at_from.sin + d_cos;
-    const S theta_sin = d_sin - (theta_ * at_.cos - from * at_from.cos);
-    const auto with_one = [&](const S& c, const S& b, const S& k, const S& s) {
-      return c * span + b * theta_1 + k * d_sin - s * d_cos;
-    };
-    const auto with_cos = [&](const S& c, const S& b, const S& k, const S& s) {
-      return c * d_sin + b * theta_cos + k * cos_cos + s * sin_cos;
-    };
-    const auto with_sin = [&](const S& c, const S& b, const S& k, const S& s) {
-      return b * theta_sin - c * d_cos + k * sin_cos + s * sin_sin;
-    };
-    const auto along = [&t](const auto& integral) {
-      return integral(t.constant.along, t.drift.along, t.cosine.along, t.sine.along);
-    };
-    const auto across = [&t](const auto& integral) {
-      return integral(t.constant.across, t.drift.across, t.cosine.across, t.sine.across);
-    };
-    m.traction += along(with_one);
-    m.stator_power += along(with_cos) + n_.radial * across(with_sin);
-    m.reactive_force += along(with_sin) - n_.radial * across(with_cos);
-    if (values_.damping == 0) return;
-    // e' of e, squared.
-    const S b = e.drift.along, k = e.sine.along, q = e.cosine.across;
-    m.layer_loss += (n_.damping / n_.stick_rate) *
-                    (b * b * span + 2.0 * b * k * d_sin + k * k * cos_cos + q * q * sin_sin);
   }
 
   void slip() {
@@ -257,12 +150,12 @@ class RadialRunner {
                           step.solve(step.euler_angles());
       if (!solved) {
         length *= 0.25;
-        if (length < 1e-13) return fail();
+        if (length < kNoStep) return fail();
         continue;
       }
       const double error = step.last_term() * length / (2 * value_of(n_.half_angle)) / kLastTerm;
-      if (error > 1 && length > 1e-9) {
-        length *= std::fmax(0.1, 0.85 * std::pow(error, -0.2));
+      if (error > 1 && length > kShortest) {
+        length *= std::fmax(kMostShorter, share_for(error));
         continue;
       }
       const double place = end_of_slip(step);
@@ -276,11 +169,13 @@ class RadialRunner {
       if (to_exit) return;
       last = step.angles(), last_length = length;
       first_length_ = length;
-      length =
-          std::fmin(length * std::fmin(3.0, 0.85 * std::pow(std::fmax(error, 1e-4), -0.2)), left());
+      length = std::fmin(length * std::fmin(kMostLonger, share_for(error)), left());
     }
     fail();
   }
+
+  // By which a step may be longer than one with this error, which goes with the fifth power of the length.
+  static double share_for(double error) { return 0.85 * std::pow(std::fmax(error, 1e-4), -0.2); }
 
   SlipStep<double> step_of(double length, bool to_exit) const {
     SlipStep<double> step(values_, value_of(theta_), values_of(layer_), length);
@@ -353,7 +248,7 @@ class RadialRunner {
   void accept_end(const SlipStep<double>& step, double length, double slope) {
     trace(step, length);
     S span(length);
-    if constexpr (kDualDepth < S >> 0) {
+    if constexpr (kDualDepth<S> != 0) {
       // Where slip ends moves with the start of the zone and all else. The slope is that of a polynomial: two steps more.
       span = S(value_of(theta_) + length) - theta_;
       for (int i = 0; i < kDualDepth<S> + 2; ++i) {
@@ -438,32 +333,6 @@ class RadialRunner {
 };
 
 }  // namespace
-
-RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& n, double theta) {
-  const Trig<double> at = trig(theta);
-  if (piece.zone == ZoneState::stick) {
-    const Plane<double> strain = piece.strain.at(theta, at);
-    return {strain, piece.strain.slope(at), carried_traction(n, piece.strain).at(theta, at)};
-  }
-  const Collocation& c = Collocation::points();
-  const double length = piece.to - piece.from, place = (theta - piece.from) / length;
-  const Collocation::Row here = c.weights_at(place);
-  RadialSample sample{piece.start.e, {0, 0}, {0, 0}};
-  double angle = 0;
-  for (std::size_t i = 0; i < Collocation::N; ++i) {
-    angle += here[i] * piece.angles[i];
-    sample.rate = sample.rate + here[i] * piece.rates[i];
-    // The polynomial's integral is one of degree N, which the points integrate exactly over a part of the step.
-    const Collocation::Row part = c.weights_at(place * c.place[i]);
-    for (std::size_t j = 0; j < Collocation::N; ++j)
-      sample.strain =
-          sample.strain +
-          (length * place * c.integral[Collocation::N - 1][i] * part[j]) * piece.rates[j];
-  }
-  const double size = n.kinetic * std::fmax(n.peak - at.versine, 0.0);
-  sample.traction = {size * std::cos(angle), size * std::sin(angle)};
-  return sample;
-}
 
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,

@@ -2,23 +2,11 @@
 #pragma once
 
 #include "contact/lap.hpp"
-#include "contact/slip_step.hpp"
+#include "contact/plane_stick.hpp"
 
 #include <vector>
 
 namespace twum::contact {
-
-/// A sum of waves c + b theta + k cos theta + s sin theta in the plane: what sticks moves so.
-template <typename S>
-struct PlaneWave {
-  Plane<S> constant, drift, cosine, sine;
-
-  Plane<S> at(const S& theta, const Trig<S>& a) const {
-    return constant + theta * drift + a.cos * cosine + a.sin * sine;
-  }
-  Plane<S> slope(const Trig<S>& a) const { return drift + a.cos * sine - a.sin * cosine; }
-  Plane<S> bend(const Trig<S>& a) const { return S(-1.0) * (a.cos * cosine + a.sin * sine); }
-};
 
 /// A stick zone or a step through a slip zone, for drawing its fields.
 struct RadialPiece {

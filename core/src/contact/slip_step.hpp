@@ -89,7 +89,7 @@ class SlipStep {
         length_(length),
         inverse_length_(1.0 / length),
         inverse_rate_(1.0 / n.stick_rate) {
-    for (std::size_t i = 0; i < N; ++i) set_surface(i, trig(S(from + table().place[i] * length)));
+    for (std::size_t i = 0; i < N; ++i) set_surface(i, trig_at(from, length, table().place[i]));
   }
   /// With what is known exactly of its end.
   void ends_at(const Trig<S>& at) { set_surface(N - 1, at); }
@@ -123,7 +123,7 @@ class SlipStep {
 
   // Most steps begin and end at phases that do not move.
   static Trig<S> trig_at(const S& from, const S& length, double place) {
-    if constexpr (kDualDepth < S >> 0) {
+    if constexpr (kDualDepth<S> != 0) {
       if (is_constant(from) && is_constant(length)) {
         const Trig<double> a = trig(value_of(from) + place * value_of(length));
         return {S(a.sin), S(a.cos), S(a.versine)};
