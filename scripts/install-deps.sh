@@ -16,7 +16,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config ccache python3
   # linked into twum
   libeigen3-dev libspectra-dev libgsl-dev libnlopt-dev libnlopt-cxx-dev coinor-libipopt-dev libyaml-cpp-dev
-  libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev
+  libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev libzip-dev
   # several processes
   libopenmpi-dev openmpi-bin
   # the Python module
@@ -38,6 +38,8 @@ test_packages=(
   man-db fish zsh
   # the report page in a real browser
   chromium
+  # the description of an FMU
+  libxml2-utils
   # house checks
   codespell doxygen
 )

@@ -82,6 +82,7 @@ ONLY_IN_SOURCES = {
     r"yaml-cpp/.*": {"studies/io"},
     r"udunits2\.h": {"studies/io"},
     r"sqlite3\.h": {"studies/io"},
+    r"zip\.h": {"apps"},
     r"mpi\.h": {"studies"},
 }
 

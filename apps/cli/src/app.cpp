@@ -161,7 +161,7 @@ int run(int argc, char** argv) {
   Action action;
   for (const auto add :
        {add_curve,   add_fields,     add_explore,   add_frequency, add_map,       add_heat,
-        add_life,    add_move,       add_linearize, add_stator,    add_datasheet, add_evaluate,
+        add_life,    add_move,       add_linearize, add_export, add_stator,    add_datasheet, add_evaluate,
         add_run,     add_check,      add_report,    add_plot,      add_compare,   add_verify,
         add_metrics, add_parameters, add_materials, add_solvers,   add_schema,    add_init}) {
     add(app, action);

@@ -22,6 +22,7 @@ void add_heat(CLI::App& app, Action& action);
 void add_life(CLI::App& app, Action& action);
 void add_move(CLI::App& app, Action& action);
 void add_linearize(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
 void add_stator(CLI::App& app, Action& action);
 void add_evaluate(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);

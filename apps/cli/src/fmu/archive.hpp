@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace twum::cli {
+
+/// A zip archive of files, each a path and its bytes. The same files make the same archive at any time.
+std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& files);
+
+}  // namespace twum::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fmu/c/plant.h"
+
+#include <twum/core/motor_design.hpp>
+#include <twum/motion/plant_table.hpp>
+
+#include <array>
+#include <vector>
+
+namespace twum::cli {
+
+/// A motor as plant.c takes it.
+class PlantMotor {
+ public:
+  PlantMotor(const MotorDesign& design, const motion::PlantTable& table);
+  PlantMotor(const PlantMotor&) = delete;  // data() points into it
+  PlantMotor& operator=(const PlantMotor&) = delete;
+
+  const PlantData& data() const { return data_; }
+  const PlantInputs& first_inputs() const {
+    return first_inputs_;
+  }  ///< of the design, without load
+  const PlantParameters& parameters() const { return parameters_; }
+
+  /// A table of one side of data(), in the order torque, reactive and active stiffness.
+  using Side = std::array<std::vector<float>, 3>;
+  const Side& along() const { return along_; }
+  const Side& against() const { return against_; }
+
+ private:
+  Side along_, against_;
+  PlantData data_;
+  PlantInputs first_inputs_;
+  PlantParameters parameters_;
+};
+
+/// How a start and a stop by tables differ from those with the contact solved at each instant, by the same equations.
+struct PlantCheck {
+  double speed_error;  ///< largest difference of the speed, over the largest speed
+  double angle_error;  ///< of the angle in which the rotor stops
+};
+
+/// Starts the motor under its voltage and stops it by switching it off, 20 ms each. Nothing without an integrator, or where either
+/// of them has no answer.
+std::optional<PlantCheck> check_plant(const MotorDesign& design, const PlantMotor& motor);
+
+}  // namespace twum::cli
