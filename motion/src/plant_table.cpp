@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 namespace twum::motion {
@@ -19,13 +21,23 @@ constexpr double kFastestShare = 0.5;
 // Speed at which the contact of a rotor at rest is taken: the limit from one side (M4.1) [rad/s].
 constexpr double kAtRest = 1e-12;
 
-void require_table(const MotorDesign& design) {
+void require_table(const MotorDesign& design, const PlantTableOptions& options) {
   if (!design.stator.voltage)
     throw InputError("a plant needs a motor under a voltage; give stator.voltage and modal data");
+  if (*design.stator.voltage == 0 && options.largest_amplitude == 0)
+    throw InputError(
+        "voltage must be more than 0 V for a plant, whose table reaches to the waves of that "
+        "voltage");
   if (design.load && design.load->stiffness != 0)
     throw InputError(
         "load_stiffness must be 0 N.m/rad for a plant: a spring on the shaft belongs to the load, "
         "which the tool that uses the plant applies");
+}
+
+std::string short_text(double value) {
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
 }
 
 // Rows and columns of a table, evenly spaced in x = asinh(A / A_1) and y = v / (1 + v).
@@ -63,9 +75,9 @@ class TabulatedContact {
     const double speed = std::clamp(speed_ratio * crest, kAtRest, fastest);
     const ContactForces f = contact_.at(amplitude, side * speed, frequency_);
     if (!f.known)
-      throw InputError("there is no table of this contact: at an amplitude of " +
-                       std::to_string(1e6 * a) + " um and " + std::to_string(side * speed) +
-                       " rad/s it is " + contact_.failure());
+      throw InputError("the contact has no answer at an amplitude of " + short_text(a) + " m and " +
+                       short_text(side * speed) + " rad/s (" + contact_.failure() +
+                       "), so there is no table of it");
     return f;
   }
 
@@ -130,7 +142,7 @@ PlantTable without_contact(const MotorDesign& design, const MotionModel& model) 
 }  // namespace
 
 std::optional<PlantTable> tabulate(const MotorDesign& design, const PlantTableOptions& options) {
-  require_table(design);
+  require_table(design, options);
   if (options.amplitudes < 2 || options.speed_ratios < 2)
     throw InputError("a table needs at least two amplitudes and two speed ratios");
   const MotionModel model(design);

@@ -33,7 +33,7 @@ constexpr const char* kExportExamples = R"text(Examples:
   twum export examples/motors/moving-60.yaml --as fmu -o moving-60.fmu
   twum export moving-60.yaml --as fmu --inertia "1e-4 kg.m^2" -o moving-60.fmu
   twum export moving-60.yaml --as tables -o contact.csv
-An FMU is read by Simulink, Modelica tools and Python.)text";
+An FMU is a file that Simulink, Modelica tools and the Python package FMPy read.)text";
 
 struct ExportOptions {
   MotorOptions motor;
@@ -70,13 +70,13 @@ std::string as_csv(const PlantTable& t) {
 }
 
 // How good the tables are, by a motion that has both.
-std::string told(const std::optional<PlantCheck>& check) {
-  if (!check)
-    return "A start and a stop could not be compared with the exact contact ('twum move').\n";
+std::string told(const PlantCheck& check) {
+  if (!check.missing.empty())
+    return "It is not compared with the exact contact ('twum move'): " + check.missing + ".\n";
   return fmt::format(
       "Start and stop, 20 ms each, beside the exact contact ('twum move'): the speed differs by at "
       "most {:.2g} % of its peak, the angle in which the rotor stops by {:.2g} %.\n",
-      100 * check->speed_error, 100 * check->angle_error);
+      100 * check.speed_error, 100 * check.angle_error);
 }
 
 std::string name_of(const studies::MotorFile& file, const std::string& path) {
@@ -110,6 +110,7 @@ int run_export(const ExportOptions& options) {
   const bool as_fmu = options.as == "fmu";
   if (as_fmu && (options.path.empty() || options.path == "-"))
     throw InputError("an FMU is a file; say where it goes, such as -o motor.fmu");
+  require_ending(options.path, {as_fmu ? "fmu" : "csv"});
   studies::MotorFile file = load_motor(options.motor);
   if (!options.inertia.empty())
     file.design =

@@ -17,12 +17,10 @@
 namespace twum::cli {
 namespace {
 
-// The name of this machine's platform in FMI 2.0; empty if it has none.
+// The platform of this machine as FMI 2.0 calls it; empty for those of which no binary was tried.
 constexpr const char* kPlatform =
 #if defined __linux__ && defined __x86_64__
     "linux64";
-#elif defined __APPLE__ && defined __x86_64__
-    "darwin64";
 #else
     "";
 #endif
@@ -58,7 +56,7 @@ Fmu make_fmu(const PlantMotor& motor, const std::string& name) {
   for (const auto& [file, text] : sources) files.emplace_back("sources/" + file, text);
   Compiled compiled;
   if (*kPlatform == '\0')
-    compiled.problem = "FMI 2.0 has no name for this machine's platform";
+    compiled.problem = "binaries are made for Linux on x86-64 only";
   else
     compiled = compile_shared_library(sources);
   fmu.problem = compiled.problem;

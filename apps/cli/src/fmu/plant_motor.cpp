@@ -29,6 +29,8 @@ PlantContact pointers(const PlantMotor::Side& side) {
 constexpr double kHalf = 0.02;         // start and stop [s]
 constexpr std::size_t kSamples = 400;  // of both
 
+constexpr double kTurns = 1e-6;  // [rad/s]: far above the speed with which a rotor leaves rest
+
 // Times of the samples, the drive off from the middle on.
 motion::MotionTask start_and_stop(const MotorDesign& design) {
   motion::MotionTask task = motion::steady_drive(design, 2 * kHalf);
@@ -72,27 +74,28 @@ PlantMotor::PlantMotor(const MotorDesign& design, const PlantTable& t)
                  t.off_resistance};
 }
 
-std::optional<PlantCheck> check_plant(const MotorDesign& design, const PlantMotor& motor) {
-  if (!motion::has_integrator() || design.stator.radial_motion) return {};
+PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor) {
+  if (!motion::has_integrator()) return {"this build has no integrator of motions"};
+  if (design.stator.radial_motion) return {"motions in time leave out the radial motion"};
   const motion::Motion exact = motion::simulate(design, start_and_stop(design));
-  if (exact.status != "ok") return {};
+  if (exact.status != "ok")
+    return {"the motion with the exact contact ends early: " + exact.status};
   PlantState state = plant_at_rest();
   PlantInputs inputs = motor.first_inputs();
   double largest = 0, difference = 0, angle_at_off = 0;
   for (std::size_t i = 1; i <= kSamples; ++i) {
     inputs.enabled = i <= kSamples / 2 ? 1 : 0;
-    if (plant_advance(&motor.data(), &state, &inputs, &motor.parameters(), 2 * kHalf / kSamples) !=
-        nullptr)
-      return {};
+    if (const char* wrong = plant_advance(&motor.data(), &state, &inputs, &motor.parameters(),
+                                          2 * kHalf / kSamples))
+      return {wrong};
     const double speed = exact.samples[i].speed;
     largest = std::max(largest, std::abs(speed));
     difference = std::max(difference, std::abs(state.speed - speed));
     if (i == kSamples / 2) angle_at_off = state.angle;
   }
   const double stop = exact.last.angle - exact.samples[kSamples / 2].angle;
-  if (largest == 0 || stop == 0) return {};
-  return PlantCheck{difference / largest,
-                    std::abs(state.angle - angle_at_off - stop) / std::abs(stop)};
+  if (largest < kTurns || stop == 0) return {"from rest the motor does not turn"};
+  return {"", difference / largest, std::abs(state.angle - angle_at_off - stop) / std::abs(stop)};
 }
 
 }  // namespace twum::cli

@@ -7,6 +7,7 @@
 #include <twum/motion/plant_table.hpp>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace twum::cli {
@@ -38,12 +39,12 @@ class PlantMotor {
 
 /// How a start and a stop by tables differ from those with the contact solved at each instant, by the same equations.
 struct PlantCheck {
-  double speed_error;  ///< largest difference of the speed, over the largest speed
-  double angle_error;  ///< of the angle in which the rotor stops
+  std::string missing{};  ///< why there is no comparison; empty if there is one
+  double speed_error{0};  ///< largest difference of the speed, over the largest speed
+  double angle_error{0};  ///< of the angle in which the rotor stops, over that angle
 };
 
-/// Starts the motor under its voltage and stops it by switching it off, 20 ms each. Nothing without an integrator, or where either
-/// of them has no answer.
-std::optional<PlantCheck> check_plant(const MotorDesign& design, const PlantMotor& motor);
+/// Starts the motor from rest under its voltage, and stops it by switching it off, 20 ms each.
+PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor);
 
 }  // namespace twum::cli

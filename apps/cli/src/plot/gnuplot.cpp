@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/gnuplot.hpp"
 
+#include "child_process.hpp"
 #include "formats.hpp"
 #include "output.hpp"
 
@@ -8,84 +9,16 @@
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 
 namespace twum::cli {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-// A nameless temporary file: nothing to clean up, and no pipe that could fill while the other end
-// waits.
-File scratch_file() {
-  File file(std::tmpfile());
-  if (file == nullptr) {
-    throw OutputError(std::string("a temporary file for the plot cannot be made: ") +
-                      std::strerror(errno));
-  }
-  return file;
-}
-
-std::string contents(std::FILE* file) {
-  std::rewind(file);
-  std::string text;
-  std::array<char, 1 << 16> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file))
-    text.append(buffer.data(), n);
-  return text;
-}
-
-std::string first_words(const std::string& text) {
-  std::string line;
-  for (std::size_t begin = 0; begin < text.size() && line.empty();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    line = studies::trimmed(std::string_view(text).substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return studies::printable(line, 200);
-}
-
-pid_t start(std::FILE* in, std::FILE* out, std::FILE* errors) {
-  // No shell in between, and no start-up file of the user's: the script alone decides.
-  std::array<char*, 3> arguments{const_cast<char*>("gnuplot"), const_cast<char*>("-d"), nullptr};
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, fileno(in), 0);
-  posix_spawn_file_actions_adddup2(&files, fileno(out), 1);
-  posix_spawn_file_actions_adddup2(&files, fileno(errors), 2);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (error == ENOENT) {
-    throw OutputError(
-        "gnuplot, which draws the plots, is not installed; install the Debian package gnuplot-nox");
-  }
-  if (error != 0) throw OutputError(std::string("gnuplot cannot be run: ") + std::strerror(error));
-  return child;
-}
-
-int finish(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw OutputError(std::string("gnuplot was lost: ") + std::strerror(errno));
-  }
-  return status;
-}
 
 std::string picture(const std::string& script) {
   const File in = scratch_file();
@@ -97,9 +30,14 @@ std::string picture(const std::string& script) {
                       std::strerror(errno));
   }
   std::rewind(in.get());
-  const int status = finish(start(in.get(), out.get(), errors.get()));
+  // No start-up file of the user's: the script alone decides.
+  const ChildEnd end = run_program({"gnuplot", "-d"}, in.get(), out.get(), errors.get());
+  if (!end.found) {
+    throw OutputError(
+        "gnuplot, which draws the plots, is not installed; install the Debian package gnuplot-nox");
+  }
   std::string image = contents(out.get());
-  if (status != 0 || image.empty()) {
+  if (end.status != 0 || image.empty()) {
     throw OutputError("gnuplot could not draw the plot: " + first_words(contents(errors.get())));
   }
   return image;

@@ -58,7 +58,7 @@ struct PlantTableOptions {
 
 /// The table of a motor under a voltage: some 33,000 contacts.
 /// @return nothing if `go_on` ended it
-/// @throws InputError for a motor with a given amplitude, a design without rotor_inertia, with unequal phases or with a spring on
+/// @throws InputError for a motor with a given amplitude or a voltage of 0 V, a design without rotor_inertia, with unequal phases or with a spring on
 ///         the shaft, and where the contact has no answer.
 std::optional<PlantTable> tabulate(const MotorDesign& design,
                                    const PlantTableOptions& options = {});

@@ -3,6 +3,7 @@
    that no header of the standard is needed and none is in the way. */
 #include "plant.h"
 
+#include <float.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -253,7 +254,7 @@ EXPORTED Status FMI(fmi2SetReal)(void* component, const Reference references[], 
     double* fixed = parameter(&of->memory, references[i]);
     if (!input && !fixed) return refuse(of, "fmi2SetReal: no input and no parameter has this value reference");
     if (fixed && of->memory.phase > kInitializing) return refuse(of, "fmi2SetReal: a parameter is set before the first step");
-    if (fixed && !(values[i] >= 0 && values[i] < 1e9)) return refuse(of, "fmi2SetReal: a parameter must be 0 or more, and finite");
+    if (fixed && !(values[i] >= 0 && values[i] <= DBL_MAX)) return refuse(of, "fmi2SetReal: a parameter must be 0 or more, and finite");
     *(input ? input : fixed) = values[i];
   }
   return kOk;

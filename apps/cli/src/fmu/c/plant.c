@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "plant.h"
 
+#include <float.h>
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -347,8 +348,8 @@ static const char* take_inputs(const PlantData* m, PlantState* s, const PlantInp
   const int off = !in->enabled, direction = in->direction < 0 ? -1 : 1;
   if (!(in->frequency > 0.5 * m->frequency && in->frequency < 2 * m->frequency))
     return "the frequency must be between half and twice that of the motor's file";
-  if (!(fabs(in->voltage) < 1e6)) return "the voltage is not a number";
-  if (!(fabs(in->load_torque) < 1e9)) return "the load torque is not a number";
+  if (!(in->voltage >= 0 && in->voltage <= DBL_MAX)) return "the voltage must be 0 V or more, and finite";
+  if (!(fabs(in->load_torque) <= DBL_MAX)) return "the load torque must be finite";
   if (!(inertia_of(p) > 0)) return "the inertia of rotor and load must be more than 0 kg.m^2";
   if (direction != s->direction) {
     if (size_of(zeta_of(s)) >= 2 * m->opening_amplitude)

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace twum::cli {
+
+/// A file of the C library that closes itself.
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// A nameless temporary file: nothing to clean up, and no pipe that could fill while the other end waits.
+/// @throws OutputError if there is no room for it
+File scratch_file();
+
+/// All bytes of a file from its beginning.
+std::string contents(std::FILE* file);
+
+/// The first line with words in it, for a message.
+std::string first_words(const std::string& text);
+
+/// How a program ended.
+struct ChildEnd {
+  bool found;  ///< a program of that name is on the PATH
+  int status;  ///< 0 if all went well
+};
+
+/// Runs a program to its end, without a shell in between.
+/// @param words  its name, and its arguments
+/// @param in, out, errors  its standard streams; may be null for those of this program
+/// @throws OutputError if it is there but cannot be run
+ChildEnd run_program(std::vector<std::string> words, std::FILE* in, std::FILE* out,
+                     std::FILE* errors);
+
+}  // namespace twum::cli
