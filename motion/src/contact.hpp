@@ -26,6 +26,8 @@ class Contact {
   /// @param frequency  of the wave [Hz]
   ContactForces at(double amplitude, double speed, double frequency);
 
+  /// 1e-7 A_1 [m].
+  double floor() const { return floor_; }
   /// How many contacts were solved.
   long count() const { return count_; }
   /// Why the last contact without an answer has none; "ok" if all have one.

@@ -29,6 +29,30 @@ struct Free {
 template <typename Pointer>
 using Held = std::unique_ptr<std::remove_pointer_t<Pointer>, Free>;
 
+// As many vectors as there are parameters.
+class Vectors {
+ public:
+  Vectors(std::size_t count, N_Vector like) {
+    if (count == 0) return;
+    vectors_ = N_VCloneVectorArray(static_cast<int>(count), like);
+    TWUM_ASSERT(vectors_);
+    count_ = static_cast<int>(count);
+  }
+  ~Vectors() {
+    if (vectors_) N_VDestroyVectorArray(vectors_, count_);
+  }
+  Vectors(const Vectors&) = delete;
+  Vectors& operator=(const Vectors&) = delete;
+
+  N_Vector* data() const { return vectors_; }
+  int count() const { return count_; }
+  N_Vector operator[](int k) const { return vectors_[k]; }
+
+ private:
+  N_Vector* vectors_{nullptr};
+  int count_{0};
+};
+
 struct FreeMemory {
   void operator()(void* memory) const { CVodeFree(&memory); }
 };
@@ -54,7 +78,7 @@ constexpr double kNewtonShare = 1;
 }  // namespace
 
 struct Integrator::Parts {
-  Parts(OdeSystem& of, std::size_t states, int event_count)
+  Parts(OdeSystem& of, std::size_t states, int event_count, std::size_t parameters)
       : system(&of),
         events(event_count),
         context(new_context()),
@@ -63,6 +87,7 @@ struct Integrator::Parts {
         matrix(SUNDenseMatrix(static_cast<sunindextype>(states), static_cast<sunindextype>(states),
                               context.get())),
         solver(SUNLinSol_Dense(y.get(), matrix.get(), context.get())),
+        slopes(parameters, y.get()),
         memory(CVodeCreate(CV_BDF, context.get())) {}
 
   // Runs a callback of SUNDIALS, through which no exception may pass.
@@ -88,6 +113,34 @@ struct Integrator::Parts {
       return own.system->jacobian(time, numbers(y), {SUNDenseMatrix_Data(matrix), n * n});
     });
   }
+  // S' = y'_y S + y'_q. Newton's iteration asks several times at one state.
+  static int slope_rates(int count, realtype time, N_Vector y, N_Vector, N_Vector* slopes,
+                         N_Vector* rates, void* parts, N_Vector, N_Vector) {
+    Parts& own = *static_cast<Parts*>(parts);
+    return own.guarded([&] {
+      if (!own.find_slopes(time, numbers(y), static_cast<std::size_t>(count))) return false;
+      const std::size_t n = numbers(y).size();
+      for (int k = 0; k < count; ++k) {
+        const std::span<double> s = numbers(slopes[k]), ds = numbers(rates[k]);
+        for (std::size_t i = 0; i < n; ++i) {
+          ds[i] = own.by_parameter[static_cast<std::size_t>(k) * n + i];
+          for (std::size_t j = 0; j < n; ++j) ds[i] += own.by_state[j * n + i] * s[j];
+        }
+      }
+      return true;
+    });
+  }
+  bool find_slopes(double at, std::span<const double> state, std::size_t count) {
+    if (at == slopes_time && std::ranges::equal(state, slopes_state)) return true;
+    const std::size_t n = state.size();
+    by_state.resize(n * n), by_parameter.resize(n * count);
+    slopes_time = -1;  // until they are found
+    if (!system->jacobian(at, state, by_state) ||
+        !system->parameter_slopes(at, state, by_parameter))
+      return false;
+    slopes_time = at, slopes_state.assign(state.begin(), state.end());
+    return true;
+  }
   static int roots(realtype time, N_Vector y, realtype* values, void* parts) {
     Parts& own = *static_cast<Parts*>(parts);
     return own.guarded([&] {
@@ -101,6 +154,9 @@ struct Integrator::Parts {
   Held<N_Vector> y, shown;
   Held<SUNMatrix> matrix;
   Held<SUNLinearSolver> solver;
+  Vectors slopes;
+  std::vector<double> by_state, by_parameter, slopes_state;  // at slopes_time
+  double slopes_time{-1};
   std::unique_ptr<void, FreeMemory> memory;
   std::exception_ptr error;
   double time{0};
@@ -108,8 +164,8 @@ struct Integrator::Parts {
 };
 
 Integrator::Integrator(OdeSystem& system, int event_count, double tolerance,
-                       std::vector<double> absolute)
-    : parts_(std::make_unique<Parts>(system, absolute.size(), event_count)) {
+                       std::vector<double> absolute, std::size_t parameters)
+    : parts_(std::make_unique<Parts>(system, absolute.size(), event_count, parameters)) {
   Parts& own = *parts_;
   void* memory = own.memory.get();
   TWUM_ASSERT(own.context && own.y && own.shown && own.matrix && own.solver && memory);
@@ -126,16 +182,37 @@ Integrator::Integrator(OdeSystem& system, int event_count, double tolerance,
       CVodeSetErrHandlerFn(memory, ignore_message, nullptr) == CV_SUCCESS &&
       CVodeSetNoInactiveRootWarn(memory) == CV_SUCCESS;
   TWUM_ASSERT(made);
+  if (parameters > 0) take_parameters();
+}
+
+void Integrator::take_parameters() {
+  Parts& own = *parts_;
+  void* memory = own.memory.get();
+  std::vector<realtype> scales(static_cast<std::size_t>(own.slopes.count()), 1.0);
+  for (int k = 0; k < own.slopes.count(); ++k) N_VConst(0, own.slopes[k]);
+  const bool made = CVodeSensInit(memory, own.slopes.count(), CV_STAGGERED, Parts::slope_rates,
+                                  own.slopes.data()) == CV_SUCCESS &&
+                    CVodeSetSensParams(memory, nullptr, scales.data(), nullptr) == CV_SUCCESS &&
+                    CVodeSensEEtolerances(memory) == CV_SUCCESS &&
+                    CVodeSetSensErrCon(memory, SUNFALSE) == CV_SUCCESS;
+  TWUM_ASSERT(made);
 }
 
 Integrator::~Integrator() = default;
 
-void Integrator::restart(double time, std::span<const double> y, double stop) {
+void Integrator::restart(double time, std::span<const double> y, double stop,
+                         std::span<const double> slopes) {
   Parts& own = *parts_;
   own.earlier_steps = steps();
   own.time = time;
   std::ranges::copy(y, numbers(own.y.get()).begin());
   TWUM_ASSERT(CVodeReInit(own.memory.get(), time, own.y.get()) == CV_SUCCESS);
+  if (own.slopes.count() > 0) {
+    for (int k = 0; k < own.slopes.count(); ++k)
+      std::ranges::copy(slopes.subspan(static_cast<std::size_t>(k) * y.size(), y.size()),
+                        numbers(own.slopes[k]).begin());
+    TWUM_ASSERT(CVodeSensReInit(own.memory.get(), CV_STAGGERED, own.slopes.data()) == CV_SUCCESS);
+  }
   TWUM_ASSERT(CVodeSetStopTime(own.memory.get(), stop) == CV_SUCCESS);
 }
 
@@ -161,6 +238,17 @@ std::vector<double> Integrator::at(double time, int derivative) const {
   CVodeGetDky(own.memory.get(), time, derivative, own.shown.get());
   const std::span<double> y = numbers(own.shown.get());
   return {y.begin(), y.end()};
+}
+
+std::vector<double> Integrator::slopes_at(double time) const {
+  const Parts& own = *parts_;
+  std::vector<double> all;
+  for (int k = 0; k < own.slopes.count(); ++k) {
+    CVodeGetSensDky1(own.memory.get(), time, 0, k, own.shown.get());
+    const std::span<double> one = numbers(own.shown.get());
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
 }
 
 long Integrator::steps() const {

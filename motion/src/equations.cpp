@@ -188,6 +188,94 @@ void Equations::add_rotor(const Entries& entry, std::span<const double> y,
   entry(kAngle, kSpeed) = 1;
 }
 
+// Theta u of (M3.2) per zeta, X = -i omega Theta^2 R / (1 + R Y) with Y = i omega C_0 (1 - i tan delta), is Theta times this voltage.
+Complex Equations::off_voltage_slope(double omega, const ModelSlope& q) const {
+  const MotionModel& m = *model_;
+  const Complex loss{1, -m.loss_tangent};
+  const Complex Y = kI * omega * m.capacitance * loss;
+  const Complex dY = kI * (q.omega * m.capacitance * loss + omega * q.capacitance * loss -
+                           kI * omega * m.capacitance * q.loss_tangent);
+  const Complex open = 1.0 + m.off_resistance * Y;
+  const Complex top = -m.off_resistance * kI * omega * m.force_factor;
+  const Complex dtop =
+      -kI * (q.off_resistance * omega * m.force_factor +
+             m.off_resistance * (q.omega * m.force_factor + omega * q.force_factor));
+  return (dtop - top / open * (q.off_resistance * Y + m.off_resistance * dY)) / open;
+}
+
+// Derivative of zeta' at fixed zeta; while the drive is off, of its growth, whose imaginary part turns zeta.
+Complex Equations::wave_slope(double time, std::span<const double> y,
+                              const ContactGradients& contact, const ModelSlope& q) const {
+  const MotionModel& m = *model_;
+  const double w = omega(time), a = std::max(amplitude(time, y), contact_.floor());
+  const std::size_t p = index_of(q.parameter);
+  const Complex stiffness = Complex{contact.reactive_force.value, contact.active_force.value} / a;
+  const Complex dstiffness =
+      Complex{contact.reactive_force.gradient[p], contact.active_force.gradient[p]} / a;
+  const WaveRate wave = wave_rate(time, stiffness);
+  const double dfree =
+      (q.stiffness_of_wave + dstiffness.real() - wave.free_rate * wave.free_rate * q.mass) /
+      (2 * m.mass * wave.free_rate);
+  const Complex ddivisor = kI * (q.mass * wave.rates + m.mass * (q.omega + dfree));
+  Complex dresistance = q.stiffness_of_wave - 2 * w * m.mass * q.omega - w * w * q.mass +
+                        kI * (q.omega * m.damping + w * q.damping) + dstiffness;
+  if (stretch_->off) {
+    dresistance -= q.force_factor * m.off_voltage(w) + m.force_factor * off_voltage_slope(w, q);
+    return (-dresistance - wave.growth * ddivisor) / wave.divisor;
+  }
+  const Complex ddrive = std::numbers::sqrt2 *
+                         (q.force_factor * stretch_->voltage.at(time) + m.force_factor * q.voltage);
+  const Complex zeta = zeta_of(y);
+  return (ddrive - dresistance * zeta - wave.of(zeta) * ddivisor) / wave.divisor;
+}
+
+// Derivative of the electrical power at fixed zeta.
+double Equations::power_slope(double time, std::span<const double> y, const ModelSlope& q) const {
+  const MotionModel& m = *model_;
+  const double w = omega(time);
+  const Complex zeta = zeta_of(y);
+  const Electrical at = electrical(time, y);
+  const Complex loss{1, -m.loss_tangent};
+  const Complex du =
+      stretch_->off ? off_voltage_slope(w, q) * zeta : Complex{std::numbers::sqrt2 * q.voltage, 0};
+  const Complex dadmittance = kI * (q.omega * m.capacitance * loss + w * q.capacitance * loss -
+                                    kI * w * m.capacitance * q.loss_tangent);
+  const Complex di = dadmittance * at.voltage + capacitive_admittance(time) * du +
+                     kI * (q.omega * m.force_factor + w * q.force_factor) * zeta;
+  return (du * std::conj(at.current) + at.voltage * std::conj(di)).real();
+}
+
+bool Equations::parameter_slopes(double time, std::span<const double> y, std::span<double> slopes) {
+  std::ranges::fill(slopes, 0.0);
+  const MotionModel& m = *model_;
+  const double a = std::max(amplitude(time, y), contact_.floor());
+  const double direction = stretch_->direction, speed = contact_speed(y[kSpeed]);
+  const ContactGradients contact = slopes_->contact().at(a, direction * speed);
+  if (contact.status != PointStatus::ok) return false;
+  States rates{};
+  if (!this->rates(time, y, rates)) return false;
+  std::size_t k = 0;
+  for (const ModelSlope& q : slopes_->columns()) {
+    const std::span<double> column = slopes.subspan(kStateCount * k++, kStateCount);
+    if (m.driven) {
+      const Complex wave = wave_slope(time, y, contact, q);
+      const Complex rate = stretch_->off ? wave.real() * zeta_of(y) : wave;
+      column[kReal] = rate.real(), column[kImaginary] = rate.imag();
+      column[kTurn] = stretch_->off ? wave.imag() : 0;
+      column[kEnergy] = power_slope(time, y, q);
+    }
+    if (!mode_.held) {
+      const double torque = direction * contact.torque.gradient[index_of(q.parameter)];
+      const double spring = q.stiffness * (y[kAngle] - m.neutral) - m.stiffness * q.neutral;
+      column[kSpeed] = (torque - spring - q.load_damping * y[kSpeed] -
+                        mode_.side * q.load_friction - rates[kSpeed] * q.inertia) /
+                       m.inertia;
+    }
+    for (double& d : column) d *= q.scale;
+  }
+  return true;
+}
+
 bool Equations::events(double time, std::span<const double> y, std::span<double> values) {
   values[0] = values[1] = 1;
   if (!mode_.held) {

@@ -3,6 +3,7 @@
 
 #include "contact.hpp"
 #include "integrator.hpp"
+#include "model_slopes.hpp"
 #include "stretches.hpp"
 
 #include <array>
@@ -34,7 +35,9 @@ struct HoldingLimits {
 /// (M2.1) and (M2.2) in one stretch and mode.
 class Equations final : public OdeSystem {
  public:
-  explicit Equations(const MotionModel& model) : model_(&model), contact_(model) {}
+  /// @param slopes  of the model, for parameter_slopes()
+  explicit Equations(const MotionModel& model, const ModelSlopes* slopes = nullptr)
+      : model_(&model), slopes_(slopes), contact_(model) {}
 
   void set_stretch(const Stretch& stretch) { stretch_ = &stretch; }
   void set_mode(Mode mode) { mode_ = mode; }
@@ -45,6 +48,7 @@ class Equations final : public OdeSystem {
 
   bool rates(double time, std::span<const double> y, std::span<double> dy) override;
   bool jacobian(double time, std::span<const double> y, std::span<double> jacobian) override;
+  bool parameter_slopes(double time, std::span<const double> y, std::span<double> slopes) override;
   bool events(double time, std::span<const double> y, std::span<double> values) override;
 
   double amplitude(double time, std::span<const double> y) const;
@@ -86,7 +90,13 @@ class Equations final : public OdeSystem {
   struct WaveRate;
   WaveRate wave_rate(double time, Complex contact_stiffness) const;
 
+  Complex wave_slope(double time, std::span<const double> y, const ContactGradients& contact,
+                     const ModelSlope& q) const;
+  double power_slope(double time, std::span<const double> y, const ModelSlope& q) const;
+  Complex off_voltage_slope(double omega, const ModelSlope& q) const;
+
   const MotionModel* model_;
+  const ModelSlopes* slopes_;
   Contact contact_;
   const Stretch* stretch_{nullptr};
   Mode mode_{true, 1};

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace twum::motion {
 namespace {
@@ -19,13 +21,15 @@ constexpr double kHoldMargin = 1e-6;
 
 }  // namespace
 
-MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task)
+MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch watch)
     : design_(design),
       task_(task),
+      asked_(std::move(watch)),
       model_(design),
       stretches_(stretches_of(task, model_.driven)),
-      equations_(model_),
-      integrator_(equations_, 2, task.tolerance, absolute_tolerances()),
+      equations_(model_, asked_.slopes),
+      integrator_(equations_, 2, task.tolerance, absolute_tolerances(),
+                  asked_.slopes ? asked_.slopes->columns().size() : 0),
       watch_(equations_) {
   if (design.stator.radial_motion)
     throw InputError(
@@ -83,11 +87,14 @@ Stretch MotionRun::before_the_first() const {
 }
 
 void MotionRun::begin() {
+  const std::size_t columns = asked_.slopes ? asked_.slopes->columns().size() : 0;
+  slopes_.assign(columns * kStateCount, 0.0);
   const InitialState& initial = task_.initial;
   before_ = initial.steady ? before_the_first() : stretches_.front();
   equations_.set_stretch(before_);
   if (initial.steady) {
     y_ = steady_state(design_, equations_);
+    if (columns > 0) slopes_ = steady_slopes(equations_, y_, columns);
     y_[kAngle] = initial.angle;
     return;
   }
@@ -114,12 +121,45 @@ bool MotionRun::enter(const Stretch& stretch) {
   const Stretch& before = equations_.stretch();
   const bool swapped = before.direction != stretch.direction, switched = before.off != stretch.off;
   if (swapped && !swap_phases()) return false;
+  const bool moves = !asked_.switch_slopes.empty() && stretch.begin > stretches_.front().begin;
+  const States rates_before = moves ? rates_now() : States{};
   equations_.set_stretch(stretch);
   if (switched) turn_wave();
   if (switched) note(stretch.off ? MotionEventKind::switched_off : MotionEventKind::switched_on);
   if (swapped) note(MotionEventKind::swapped);
   if (equations_.mode().held) change_mode();
+  if (moves) jump(rates_before, rates_now(), asked_.switch_slopes);
   return true;
+}
+
+States MotionRun::rates_now() {
+  States rates{};
+  if (!equations_.rates(time_, y_, rates)) rates.fill(std::numeric_limits<double>::quiet_NaN());
+  return rates;
+}
+
+// S+ = S- + (g- - g+) dt*/dq where the rates change at a time that moves (M10.1).
+void MotionRun::jump(const States& before, const States& after,
+                     std::span<const double> time_slopes) {
+  for (std::size_t k = 0; k < time_slopes.size(); ++k)
+    for (std::size_t i = 0; i < kStateCount; ++i)
+      slopes_[k * kStateCount + i] += (before[i] - after[i]) * time_slopes[k];
+}
+
+void MotionRun::read_slopes() {
+  if (asked_.slopes) slopes_ = integrator_.slopes_at(time_);
+}
+
+// Where a turning rotor comes to rest, dt*/dq = -S_Omega / Omega' (M10.1). At a release the rates are continuous.
+void MotionRun::cross_event() {
+  read_slopes();
+  if (!asked_.slopes || equations_.mode().held) return change_mode();
+  const States before = rates_now();
+  time_slopes_.resize(asked_.slopes->columns().size());
+  for (std::size_t k = 0; k < time_slopes_.size(); ++k)
+    time_slopes_[k] = -slopes_[k * kStateCount + kSpeed] / before[kSpeed];
+  change_mode();
+  jump(before, rates_now(), time_slopes_);
 }
 
 // At rest: the rotor is held, or goes on to one side.
@@ -146,7 +186,9 @@ void MotionRun::take_samples() {
 }
 
 bool MotionRun::follow(const Stretch& stretch) {
-  integrator_.restart(time_, y_, stretch.end);
+  const auto stands = [&] { return asked_.until_held && stretch.off && equations_.mode().held; };
+  if (stands()) return false;
+  integrator_.restart(time_, y_, stretch.end, slopes_);
   while (true) {
     const double begin = time_;
     const StepEnd end = integrator_.step();
@@ -159,12 +201,17 @@ bool MotionRun::follow(const Stretch& stretch) {
     for (const MotionEvent& event : watch_.events(integrator_, begin))
       motion_.events.push_back(event);
     take_samples();
-    if (end == StepEnd::stop_time) return true;
+    if (asked_.reached && asked_.reached(integrator_, begin)) return false;
+    if (end == StepEnd::stop_time) {
+      read_slopes();
+      return true;
+    }
     if (task_.go_on && !task_.go_on(time_)) return end_early("stopped");
     if (end != StepEnd::event) continue;
-    change_mode();
+    cross_event();
+    if (stands()) return false;
     if (time_ >= stretch.end) return true;
-    integrator_.restart(time_, y_, stretch.end);
+    integrator_.restart(time_, y_, stretch.end, slopes_);
   }
 }
 

@@ -6,15 +6,40 @@
 
 #include <twum/motion/motion.hpp>
 
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace twum::motion {
 
+/// What a metric asks of a motion beside its end.
+struct RunWatch {
+  /// Called after each step with the integrator and the time at which the step began; true ends the motion there. May be empty.
+  std::function<bool(const Integrator&, double)> reached{};
+  /// Ends the motion where the rotor is held with the drive off.
+  bool until_held{false};
+  /// Columns of dy/dq to be integrated beside y; null for none.
+  const ModelSlopes* slopes{nullptr};
+  /// Derivative of the time at which the second stretch begins in each column; empty if it stays.
+  std::vector<double> switch_slopes{};
+};
+
+/// Where a motion ended, with derivatives.
+struct RunEnd {
+  States y{};
+  double time{0};                     ///< [s]
+  bool held{false};                   ///< friction holds the rotor
+  std::vector<double> slopes{};       ///< dy/dq there, at a time that moves as
+  std::vector<double> time_slopes{};  ///< dt/dq of an end at rest; else empty
+};
+
 /// One motion while it is integrated: stretch after stretch, and within each from event to event.
 class MotionRun {
  public:
-  MotionRun(const MotorDesign& design, const MotionTask& task);
+  MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch watch = {});
   Motion run();
+  /// After run(): its end.
+  RunEnd end() const { return {y_, time_, equations_.mode().held, slopes_, time_slopes_}; }
 
   /// The state at the beginning.
   void begin();
@@ -29,6 +54,10 @@ class MotionRun {
   /// @}
   void turn_wave();
   void change_mode();
+  void cross_event();
+  States rates_now();
+  void jump(const States& before, const States& after, std::span<const double> time_slopes);
+  void read_slopes();
   bool end_early(const std::string& status);
   void take_samples();
   /// Mode of a rotor at rest; the load decides (M4.1).
@@ -39,6 +68,7 @@ class MotionRun {
 
   const MotorDesign& design_;
   const MotionTask& task_;
+  RunWatch asked_;
   MotionModel model_;
   std::vector<Stretch> stretches_;
   Equations equations_;
@@ -46,6 +76,7 @@ class MotionRun {
   Watch watch_;
   Stretch before_{};
   States y_{};
+  std::vector<double> slopes_, time_slopes_;
   double time_{0};
   std::size_t next_sample_{0};
   Motion motion_{};

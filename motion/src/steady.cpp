@@ -6,7 +6,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace twum::motion {
@@ -40,30 +42,39 @@ States state_on_curve(const MotorDesign& design, const Equations& equations, dou
   return y;
 }
 
+// The states that are steady: the angle and the energy go on.
+std::vector<std::size_t> steady_states(const Equations& equations) {
+  if (!equations.model().driven) return {kSpeed};
+  return {kReal, kImaginary, kSpeed};
+}
+
+Eigen::MatrixXd jacobian_of(Equations& equations, const States& y,
+                            const std::vector<std::size_t>& in) {
+  std::array<double, kStateCount * kStateCount> slopes{};
+  if (!equations.jacobian(equations.stretch().begin, y, slopes))
+    refuse(equations.contact().failure());
+  const auto n = static_cast<Eigen::Index>(in.size());
+  Eigen::MatrixXd jacobian(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      jacobian(i, j) =
+          slopes[in[static_cast<std::size_t>(j)] * kStateCount + in[static_cast<std::size_t>(i)]];
+  return jacobian;
+}
+
 // Newton's step from a state: the solution of J dy = -y' in the states that count.
 Eigen::VectorXd newton_step(Equations& equations, const States& y,
                             const std::vector<std::size_t>& in) {
   States rates{};
-  std::array<double, kStateCount * kStateCount> slopes{};
-  const double t = equations.stretch().begin;
-  if (!equations.rates(t, y, rates) || !equations.jacobian(t, y, slopes))
-    refuse(equations.contact().failure());
-  const auto n = static_cast<Eigen::Index>(in.size());
-  Eigen::MatrixXd jacobian(n, n);
-  Eigen::VectorXd residual(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t row = in[static_cast<std::size_t>(i)];
-    residual[i] = -rates[row];
-    for (Eigen::Index j = 0; j < n; ++j)
-      jacobian(i, j) = slopes[in[static_cast<std::size_t>(j)] * kStateCount + row];
-  }
-  return jacobian.fullPivLu().solve(residual);
+  if (!equations.rates(equations.stretch().begin, y, rates)) refuse(equations.contact().failure());
+  Eigen::VectorXd residual(static_cast<Eigen::Index>(in.size()));
+  for (std::size_t i = 0; i < in.size(); ++i)
+    residual[static_cast<Eigen::Index>(i)] = -rates[in[i]];
+  return jacobian_of(equations, y, in).fullPivLu().solve(residual);
 }
 
 States newton_solution(Equations& equations, States y) {
-  const std::vector<std::size_t> in = equations.model().driven
-                                          ? std::vector<std::size_t>{kReal, kImaginary, kSpeed}
-                                          : std::vector<std::size_t>{kSpeed};
+  const std::vector<std::size_t> in = steady_states(equations);
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Eigen::VectorXd step = newton_step(equations, y, in);
     double largest = 0;
@@ -99,6 +110,24 @@ States steady_state(const MotorDesign& design, Equations& equations) {
   }
   equations.set_stretch(asked);
   return y;
+}
+
+std::vector<double> steady_slopes(Equations& equations, const States& y, std::size_t columns) {
+  std::vector<double> slopes(columns * kStateCount);
+  if (!equations.parameter_slopes(equations.stretch().begin, y, slopes))
+    refuse(equations.contact().failure());
+  const std::vector<std::size_t> in = steady_states(equations);
+  const Eigen::FullPivLU<Eigen::MatrixXd> solver(jacobian_of(equations, y, in));
+  for (std::size_t k = 0; k < columns; ++k) {
+    const std::span<double> column = std::span(slopes).subspan(k * kStateCount, kStateCount);
+    Eigen::VectorXd right(static_cast<Eigen::Index>(in.size()));
+    for (std::size_t i = 0; i < in.size(); ++i)
+      right[static_cast<Eigen::Index>(i)] = -column[in[i]];
+    const Eigen::VectorXd moved = solver.solve(right);
+    std::ranges::fill(column, 0.0);
+    for (std::size_t i = 0; i < in.size(); ++i) column[in[i]] = moved[static_cast<Eigen::Index>(i)];
+  }
+  return slopes;
 }
 
 }  // namespace twum::motion

@@ -6,6 +6,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/io/words.hpp>
+#include <twum/motion/manoeuvres.hpp>  // gives the program metrics of motions
 #include <twum/motors/curve_points.hpp>
 
 #include <limits>
@@ -94,10 +95,25 @@ Array evaluate_array(const PyMotor& self, MetricRequest request, const Array& po
   return values;
 }
 
+// How Python names what a metric is asked at, with its unit and an example.
+struct Point {
+  const char* name;
+  const char* unit;
+  const char* example;
+};
+Point point_of(Argument argument) {
+  switch (argument) {
+    case Argument::torque: return {"torque", "N.m", "0.5 N.m"};
+    case Argument::angle: return {"angle", "rad", "90 deg"};
+    case Argument::periods: return {"periods", "1", "32"};
+    default: return {"speed", "rad/s", "100 rpm"};
+  }
+}
+
 Array to_points(const std::string& name, Argument argument, const py::object& at) {
+  const Point point = point_of(argument);
   const auto one = [&](py::handle entry) {
-    return argument == Argument::torque ? to_quantity(name, entry, "N.m", "0.5 N.m")
-                                        : to_quantity(name, entry, "rad/s", "100 rpm");
+    return to_quantity(name, entry, point.unit, point.example);
   };
   return to_numbers(name, at, one);
 }
@@ -149,20 +165,20 @@ void add_held_metric(Class& motor, const MetricInfo& row) {
 void add_point_metric(Class& motor, const MetricInfo& row) {
   if (row.argument == Argument::both) return add_held_metric(motor, row);
   const std::string name(row.name);
-  const bool torque_only = row.argument == Argument::torque;
   const std::string doc_of_array =
       "An array of numbers gives an array, NaN where there is no answer.";
   const bool follows = row.argument == Argument::speed_or_torque;
   if (!follows && row.argument != Argument::either) {
-    const std::string what = torque_only ? "torque" : "speed";
+    const Point point = point_of(row.argument);
+    const std::string what = point.name, unit = point.unit;
     motor.def(
         name.c_str(),
         [&row](const PyMotor& self, const py::object& at) {
           return point_metric(self, row, row.argument, at);
         },
         py::arg(what.c_str()),
-        (name + "(self, " + what + ")\n--\n\n" + metric_doc(row) + "\n\nA number is in " +
-         (torque_only ? "N.m" : "rad/s") + ". " + doc_of_array)
+        (name + "(self, " + what + ")\n--\n\n" + metric_doc(row) +
+         (unit == "1" ? "\n\n" : "\n\nA number is in " + unit + ". ") + doc_of_array)
             .c_str());
     return;
   }

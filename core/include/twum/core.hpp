@@ -22,6 +22,7 @@
 #include <twum/base/version.hpp>
 #include <twum/core/backward_wave.hpp>
 #include <twum/core/batch.hpp>
+#include <twum/core/contact_gradients.hpp>
 #include <twum/core/contact_slopes.hpp>
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/core/frequency_response.hpp>
@@ -32,6 +33,7 @@
 #include <twum/core/metric_request.hpp>
 #include <twum/core/metric_value.hpp>
 #include <twum/core/metrics.hpp>
+#include <twum/core/motion_metrics.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/motor_design.hpp>
 #include <twum/core/normal_contact.hpp>

@@ -30,6 +30,8 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::too_hot_at_no_load: return "too-hot-at-no-load";
     case MetricStatus::never_too_hot: return "never-too-hot";
     case MetricStatus::does_not_wear: return "does-not-wear";
+    case MetricStatus::does_not_start: return "does-not-start";
+    case MetricStatus::does_not_stop: return "does-not-stop";
   }
   return "unresolved";
 }

@@ -2,7 +2,6 @@
 #include "metrics/differentiator.hpp"
 #include "metrics/motor_parts.hpp"
 
-#include "design/parameter_slopes.hpp"
 #include "metrics/motor_curve.hpp"
 
 #include <array>
@@ -14,29 +13,10 @@ namespace twum::core {
 namespace {
 
 using M = Metric;
-using P = Parameter;
 
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
 constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
-
-constexpr int kNoDirection = -1;
-
-// Directions of the parameters that have one.
-constexpr auto kDirectionOf = [] {
-  std::array<int, kParameterCount> directions{};
-  directions.fill(kNoDirection);
-  for (const P p : kModelParameters) directions[index_of(p)] = static_cast<int>(model_index(p));
-  for (const P p : kDriveParameters) directions[index_of(p)] = drive_direction(p);
-  return directions;
-}();
-
-// @param plate_mode  the radial shape is that of a plate's mode: exponent and root have no direction
-int direction_of(std::size_t parameter, bool plate_mode) {
-  const int direction = kDirectionOf[parameter];
-  const bool shape = direction >= static_cast<int>(kShapeIndex) && direction < kDirections;
-  return shape && plate_mode ? kNoDirection : direction;
-}
 
 // Whether zones begin or end close to the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
@@ -94,31 +74,11 @@ Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     : design_(motor.design()),
       values_(motor),
       m_(MotorParts::model(motor)),
-      model_(moving_motor(motor)) {
-  const bool plate_mode = design_.stator.geometry.has_value();
-  const std::vector<ParameterSlope> slopes = parameter_slopes(design_, fixed_static_friction);
-  slopes_.reserve(slopes.size());
-  for (const ParameterSlope& s : slopes)
-    if (const int direction = direction_of(s.value, plate_mode); direction >= 0)
-      slopes_.push_back({direction, s.moved, s.slope});
-  if (!plate_mode) return;
-  const auto plate = plate_jacobian(design_);
-  const auto add = [&](const std::array<double, kParameterCount>& row, std::size_t direction) {
-    for (std::size_t j = 0; j < kParameterCount; ++j)
-      if (row[j] != 0) slopes_.push_back({static_cast<int>(direction), j, row[j]});
-  };
-  for (std::size_t i = 0; i < kShapeNumbers; ++i)
-    add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
-  constexpr PlateNumber kStress = PlateNumber::ceramic_stress;
-  add(plate[index_of(kStress)], static_cast<std::size_t>(plate_direction(kStress)));
-}
+      model_(moving_motor(motor)),
+      slopes_(direction_slopes(design_, fixed_static_friction)) {}
 
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
-  std::array<double, kParameterCount> gradient{};
-  for (const Slope& slope :
-       slopes_)  // one without a value does not count where nothing follows from it
-    if (dual.d[slope.direction] != 0)
-      gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
+  std::array<double, kParameterCount> gradient = core::in_parameters(dual, slopes_);
   // Modes of other numbers of waves are computed only where they are asked for.
   const double share = dual.d[plate_direction(PlateNumber::mode_separation)];
   if (design_.stator.geometry && share != 0) {

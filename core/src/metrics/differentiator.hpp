@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "metrics/direction_slopes.hpp"
 #include "metrics/evaluator.hpp"
 #include "metrics/wave_motion.hpp"
 
@@ -82,12 +83,6 @@ class Differentiator {
   CurveSearch& search() { return values_.search(); }
 
  private:
-  /// How a direction moves with a parameter in use.
-  struct Slope {
-    int direction;
-    std::size_t parameter;
-    double value;
-  };
   /// A point with derivatives.
   struct Moving {
     const DrivenMotor<ModelDual>* motor;
@@ -120,7 +115,7 @@ class Differentiator {
   Evaluator values_;
   const DrivenMotor<double>& m_;  // under the wave that the curve begins with
   DrivenMotor<ModelDual> model_;
-  std::vector<Slope> slopes_;  // those that are not zero
+  std::vector<DirectionSlope> slopes_;
   std::optional<DrivenMotor<ModelDual2>> model2_;
   std::vector<std::pair<Metric, Derived>> peak_speeds_;  // of smooth peaks
   // References stay valid.

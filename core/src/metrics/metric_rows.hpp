@@ -82,6 +82,18 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::life_revolutions_at:
     case M::life:
     case M::life_revolutions:
+    // of motions, see MotionMetrics
+    case M::settling_rate_at:
+    case M::bounce_rate_at:
+    case M::speed_per_frequency_at:
+    case M::speed_per_voltage_at:
+    case M::start_time_at:
+    case M::start_overshoot_at:
+    case M::stop_time_at:
+    case M::stop_angle_at:
+    case M::move_energy:
+    case M::burst_angle:
+    case M::dynamic_start_voltage:
     // numbers of the motor, see metric_row()
     case M::ceramic_stress_at:
     case M::max_overall_efficiency:
@@ -310,7 +322,18 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::life_revolutions_at:
     case M::life:
     case M::life_revolutions:
-      throw SearchFailure{MetricStatus::undefined};  // see HeatMetrics and WearMetrics
+    case M::settling_rate_at:
+    case M::bounce_rate_at:
+    case M::speed_per_frequency_at:
+    case M::speed_per_voltage_at:
+    case M::start_time_at:
+    case M::start_overshoot_at:
+    case M::stop_time_at:
+    case M::stop_angle_at:
+    case M::move_energy:
+    case M::burst_angle:
+    case M::dynamic_start_voltage:
+      throw SearchFailure{MetricStatus::undefined};  // see HeatMetrics, WearMetrics, MotionMetrics
   }
   const typename Answers::Number speed =
       request.argument == Argument::torque

@@ -8,7 +8,7 @@ using M = Metric;
 using A = Argument;
 
 constexpr bool kModes = true, kGeometry = true, kThermal = true, kAbsolute = true,
-               kOperation = true, kWear = true;
+               kOperation = true, kWear = true, kMotion = true;
 
 constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
@@ -193,6 +193,39 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::life_revolutions, "life_revolutions", "1", A::none,
      "revolutions until the worn motor breaks a limit, in its operation", !kModes, !kGeometry,
      !kThermal, !kAbsolute, kOperation, kWear},
+    {M::settling_rate_at, "settling_rate_at", "1/s", A::torque,
+     "rate at which the motor returns to its speed under a torque after a small disturbance",
+     kModes, !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::bounce_rate_at, "bounce_rate_at", "1/s", A::torque,
+     "rate at which the rotor begins to hop under a torque; it hops where that is positive; needs "
+     "rotor_mass",
+     kModes, !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::speed_per_frequency_at, "speed_per_frequency_at", "rad/s/Hz", A::torque,
+     "change of the steady speed with the drive frequency under a torque", kModes, !kGeometry,
+     !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::speed_per_voltage_at, "speed_per_voltage_at", "rad/s/V", A::torque,
+     "change of the steady speed with the drive voltage under a torque", kModes, !kGeometry,
+     !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::start_time_at, "start_time_at", "s", A::torque,
+     "time from rest to 90 % of the steady speed under a torque", !kModes, !kGeometry, !kThermal,
+     !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::start_overshoot_at, "start_overshoot_at", "1", A::torque,
+     "largest speed of a start under a torque over the steady one, minus 1", !kModes, !kGeometry,
+     !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::stop_time_at, "stop_time_at", "s", A::torque,
+     "time under a torque from the end of the drive until friction holds the rotor", kModes,
+     !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::stop_angle_at, "stop_angle_at", "rad", A::torque, "angle that the rotor turns in that time",
+     kModes, !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::move_energy, "move_energy", "J", A::angle,
+     "electrical energy of a start, a run and a stop over an angle without load", kModes,
+     !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::burst_angle, "burst_angle", "rad", A::periods,
+     "angle of a start and a stop in which the drive is on for a number of periods", kModes,
+     !kGeometry, !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+    {M::dynamic_start_voltage, "dynamic_start_voltage", "V", A::none,
+     "smallest voltage whose step starts the motor from rest without load, rms", kModes, !kGeometry,
+     !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
 }};
 
 // A page has the texts besides (metrics_json()), and its core does without them.

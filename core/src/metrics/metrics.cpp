@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/metrics.hpp>
+#include <twum/core/motion_metrics.hpp>
 
 #include "design/held_traps.hpp"
 #include "metrics/differentiator.hpp"
@@ -11,6 +12,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace twum {
@@ -48,6 +50,13 @@ bool needs_no_wave(Metric metric) {
          metric == Metric::capacitance_ratio || metric == Metric::mode_separation;
 }
 
+// What provide_motion_metrics() was given.
+MakeMotionMetrics make_motion_metrics = nullptr;
+
+bool is_of_motion(const MetricRequest& request) {
+  return info(request.metric).needs_motion && !request.warm_at && !request.worn_at;
+}
+
 // Each request to the part that answers it; parts are made when they are needed.
 template <typename Answers, typename Answer>
 class Parts {
@@ -66,6 +75,10 @@ class Parts {
     if (is_wear(request)) return ask(wear_);
     if (is_heat(request)) return ask(heat_);
     if (is_held(request)) return ask(held_);
+    if (is_of_motion(request) && make_motion_metrics) {
+      if (!motion_) motion_ = make_motion_metrics(motor_.design());
+      return ask(*motion_);
+    }
     if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
       if (!still_) still_.emplace(without_drive(motor_.design()));
       if (!of_still_) make_(*still_, of_still_);
@@ -80,12 +93,20 @@ class Parts {
   HeldMetrics held_;
   HeatMetrics heat_;
   WearMetrics wear_;
+  std::unique_ptr<MotionMetrics> motion_;
   std::function<void(const Motor&, std::optional<Answers>&)> make_;
   std::optional<Motor> still_;
   std::optional<Answers> of_motor_, of_still_;
 };
 
 }  // namespace
+
+bool provide_motion_metrics(MakeMotionMetrics make) noexcept {
+  make_motion_metrics = make;
+  return true;
+}
+
+bool has_motion_metrics() noexcept { return make_motion_metrics != nullptr; }
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
   const HeldTraps traps;

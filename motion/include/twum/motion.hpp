@@ -10,6 +10,7 @@
 
 #include <twum/motion/integrator_version.hpp>
 #include <twum/motion/linear_plant.hpp>
+#include <twum/motion/manoeuvres.hpp>
 #include <twum/motion/motion.hpp>
 #include <twum/motion/plant_table.hpp>
 #include <twum/motion/profile.hpp>

@@ -2,6 +2,7 @@
 #include "entries/never_defined.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/core/motion_metrics.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/expression.hpp>
@@ -110,6 +111,24 @@ bool has_temperature_limit(const Thermal& thermal) {
          thermal.housing.temperature_limit || thermal.contact_temperature_limit;
 }
 
+std::string missing_for_motion(const MotorDesign& motor, Metric metric) {
+  if (!has_motion_metrics())
+    return "an integrator; this twum was built without SUNDIALS: install libsundials-dev and build "
+           "it again";
+  if (!motor.rotor.inertia)
+    return "the rotor's inertia; give 'inertia' under 'rotor' in the motor file, such as 7e-6 "
+           "kg.m^2";
+  if (metric == Metric::bounce_rate_at && !motor.rotor.mass)
+    return "the rotor's mass; give 'mass' under 'rotor' in the motor file, such as 0.1 kg";
+  const bool of_start = metric == Metric::start_time_at || metric == Metric::start_overshoot_at;
+  if (!of_start && !motor.stator.voltage)
+    return "a drive voltage; give 'voltage' in place of 'amplitude' in the motor file";
+  if (motor.stator.radial_motion)
+    return "a motor without radial motion, with which a motion takes hours; set 'radial_motion: "
+           "false' under 'stator' in the motor file";
+  return {};
+}
+
 // What a motor has to give so that a metric has a meaning; empty if it gives it.
 std::string missing_for(const MotorDesign& motor, Metric metric) {
   const MetricInfo& row = info(metric);
@@ -122,6 +141,10 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
   if (row.needs_thermal && !motor.thermal) return kThermal;
   if (row.needs_wear && !motor.wear) return kWear;
   if (row.needs_operation && motor.operation.empty()) return kOperation;
+  if (row.needs_motion) {
+    const std::string missing = missing_for_motion(motor, metric);
+    if (!missing.empty()) return missing;
+  }
   const bool limits = metric == Metric::temperature_margin_at || metric == Metric::on_time_at ||
                       metric == Metric::duty_limit_at;
   if (limits && !has_temperature_limit(*motor.thermal))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "problem/metric_values.hpp"
 
+#include <twum/motion/manoeuvres.hpp>  // gives the program metrics of motions
+
 namespace twum::studies {
 namespace {
 
@@ -17,10 +19,11 @@ bool beyond_drive(const MetricRequest& request, MetricStatus status) {
   }
 }
 
-// Temperatures, lives, and metrics of the warm or worn motor have no value where the cold motor does not carry the load.
+// Temperatures, lives, motions, and metrics of the warm or worn motor have no value where the cold motor does not carry the load.
 bool has_value_nearby(const MetricRequest& request) {
   const MetricInfo& row = info(request.metric);
-  return !request.warm_at && !request.worn_at && !row.needs_thermal && !row.needs_wear;
+  return !request.warm_at && !request.worn_at && !row.needs_thermal && !row.needs_wear &&
+         !row.needs_motion;
 }
 
 std::vector<MetricDerivative> with_gradients(const Motor& motor,

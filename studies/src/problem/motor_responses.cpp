@@ -61,6 +61,8 @@ bool has_values_everywhere(Metric metric) {
     case Metric::thermal_time_constant:
     case Metric::continuous_torque_at:
     case Metric::start_temperature:
+    case Metric::burst_angle:
+    case Metric::dynamic_start_voltage:
     case Metric::holding_torque:
     case Metric::start_voltage:
     case Metric::hold_voltage:
@@ -100,7 +102,7 @@ constexpr double kLeastVoltageReserve = 2e-3;
 
 // A motor runs at rest for its stall torque, and without load for the other metrics without argument.
 MetricRequest reserve_request(const MetricRequest& request) {
-  if (request.argument != Argument::none)
+  if (request.argument == Argument::speed || request.argument == Argument::torque)
     return {Metric::voltage_reserve_at, request.argument, request.at};
   const bool at_rest = request.metric == Metric::stall_torque;
   return {Metric::voltage_reserve_at, at_rest ? Argument::speed : Argument::torque, 0};

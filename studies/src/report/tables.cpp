@@ -70,6 +70,8 @@ const char* argument_word(Argument argument) {
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
     case Argument::both: return "both";
+    case Argument::angle: return "angle";
+    case Argument::periods: return "periods";
     case Argument::either:
     case Argument::speed_or_torque: return "speed or torque";
   }
@@ -152,8 +154,8 @@ Json parameters_json(std::string_view text) {
 Json metrics_json(std::string_view text) {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table()) {
-    const bool absent =
-        row.needs_thermal || row.needs_wear || row.metric == Metric::radial_motion_ratio;
+    const bool absent = row.needs_thermal || row.needs_wear || row.needs_motion ||
+                        row.metric == Metric::radial_motion_ratio;
     if (absent && !names(text, row.name)) continue;
     json[std::string(row.name)] = only_true(
         {{"unit", row.unit},

@@ -133,6 +133,8 @@ std::string read_request(const MetricRequest& request, const std::string& metric
     case Argument::torque: return name + at(request.at, "N.m");
     case Argument::speed: return name + at(request.at, "rad/s");
     case Argument::both: return name + at(request.torque, "N.m") + "," + at(request.at, "rad/s");
+    case Argument::angle: return name + at(request.at, "rad");
+    case Argument::periods: return name + at(request.at, "1") + " periods";
     case Argument::none:
     case Argument::either:
     case Argument::speed_or_torque: break;

@@ -76,6 +76,8 @@ std::string argument_text(Argument argument) {
     case Argument::speed: return "speed";
     case Argument::torque: return "torque";
     case Argument::both: return "torque and speed";
+    case Argument::angle: return "angle";
+    case Argument::periods: return "number of periods";
     case Argument::either: return "speed or torque";
     case Argument::speed_or_torque: break;
   }

@@ -14,7 +14,7 @@ namespace twum {
 struct MetricRequest {
   Metric metric{Metric::stall_torque};  ///< what is asked
   Argument argument{Argument::none};    ///< what `at` is
-  double at{0};                         ///< rotor speed [rad/s] or load torque [N m]
+  double at{0};      ///< rotor speed [rad/s], load torque [N m], angle [rad] or a number of periods
   double torque{0};  ///< with Argument::both the load torque [N m], `at` the speed
   /// Asks for the metric of the motor at the steady temperatures of this point, with Argument::none at the mean temperatures of
   /// its operation; without it at the reference temperature.

@@ -89,7 +89,19 @@ enum class Metric : unsigned char {
   life_at,
   life_revolutions_at,
   life,
-  life_revolutions
+  life_revolutions,
+  // of motions
+  settling_rate_at,
+  bounce_rate_at,
+  speed_per_frequency_at,
+  speed_per_voltage_at,
+  start_time_at,
+  start_overshoot_at,
+  stop_time_at,
+  stop_angle_at,
+  move_energy,
+  burst_angle,
+  dynamic_start_voltage
 };
 
 /// Argument that a metric takes.
@@ -98,6 +110,8 @@ enum class Argument : unsigned char {
   speed,            ///< a rotor speed [rad/s]
   torque,           ///< a load torque [N m]
   both,             ///< a torque that the drive holds at a speed
+  angle,            ///< an angle of the rotor [rad]
+  periods,          ///< a number of periods of the drive
   speed_or_torque,  ///< a speed, a torque, or both; only in the table, never in a request
   either            ///< a speed or a torque, not both; likewise
 };
@@ -131,7 +145,9 @@ enum class MetricStatus : unsigned char {
   temperature_out_of_range,  ///< so far from the reference that the drift of a parameter means nothing
   too_hot_at_no_load,        ///< a limit of temperature is broken without a load already
   never_too_hot,             ///< no limit of temperature is reached, however long the motor runs
-  does_not_wear              ///< nothing slips in the contact, so that the life has no end
+  does_not_wear,             ///< nothing slips in the contact, so that the life has no end
+  does_not_start,            ///< the drive does not bring the rotor from rest to its running speed
+  does_not_stop              ///< the load drives the rotor on when the drive is off
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.

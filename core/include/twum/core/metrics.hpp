@@ -16,7 +16,8 @@
 namespace twum {
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::life_revolutions) + 1;
+inline constexpr std::size_t kMetricCount =
+    static_cast<std::size_t>(Metric::dynamic_start_voltage) + 1;
 
 /// One row of the metric table.
 struct MetricInfo {
@@ -31,6 +32,8 @@ struct MetricInfo {
   bool absolute{false};         ///< an absolute temperature, which may be compared with degC
   bool needs_operation{false};  ///< has a value only where the design has an operation
   bool needs_wear{false};       ///< has a value only where the design has a wear block
+  bool needs_motion{
+      false};  ///< of a rotor with inertia, where motions are computed (has_motion_metrics())
 };
 
 /// The table, one row for each Metric, in its order; static lifetime.

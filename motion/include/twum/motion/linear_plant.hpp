@@ -41,4 +41,9 @@ struct LinearPlant {
 ///         the motor does not carry the torque
 LinearPlant linearize(const MotorDesign& design, double load_torque);
 
+/// Growth rate of hops of the rotor (M4.5): the largest real part of the axial pair of poles of wave, speed and axial motion at
+/// the same steady state [1/s]. Positive: the rotor hops.
+/// @throws InputError as linearize(), and for a design without rotor_mass
+double bounce_rate(const MotorDesign& design, double load_torque);
+
 }  // namespace twum::motion

@@ -17,18 +17,35 @@ namespace {
 
 constexpr Expected kSpeed{"rad/s", "100 rpm"};
 constexpr Expected kTorque{"N.m", "0.5 N.m"};
+constexpr Expected kAngle{"rad", "90 deg"};
+constexpr Expected kPeriods{"1", "32"};
 
 // "torque_at(100 rpm)": how a point metric is written.
+// What a metric may be asked at; the last is the example.
+std::vector<Expected> expected_of(Argument argument) {
+  switch (argument) {
+    case Argument::torque: return {kTorque};
+    case Argument::angle: return {kAngle};
+    case Argument::periods: return {kPeriods};
+    case Argument::speed: return {kSpeed};
+    default: return {kTorque, kSpeed};
+  }
+}
+
 std::string usage(const MetricInfo& metric) {
   if (metric.argument == Argument::both) return std::string(metric.name) + "(0.5 N.m, 100 rpm)";
-  const char* example = metric.argument == Argument::torque ? "0.5 N.m" : "100 rpm";
-  return std::string(metric.name) + "(" + example + ")";
+  return std::string(metric.name) + "(" + expected_of(metric.argument).back().example + ")";
 }
 
 const char* argument_phrase(Argument argument) {
-  if (argument == Argument::both) return "a torque and a speed";
-  if (argument == Argument::speed) return "a speed";
-  return argument == Argument::torque ? "a torque" : "a speed or a torque";
+  switch (argument) {
+    case Argument::both: return "a torque and a speed";
+    case Argument::speed: return "a speed";
+    case Argument::torque: return "a torque";
+    case Argument::angle: return "an angle of more than 0 rad";
+    case Argument::periods: return "a number of periods of at least 1";
+    default: return "a speed or a torque";
+  }
 }
 
 [[noreturn]] void unknown_name(std::string_view name, std::size_t at) {
@@ -45,15 +62,24 @@ const char* argument_phrase(Argument argument) {
   throw ValueError("unknown metric " + quoted(name), remedy, at);
 }
 
+// A move goes forward, and a burst has a period.
+void require_way(Argument kind, double value) {
+  if (kind == Argument::angle && !(value > 0))
+    throw ValueError("an angle of 0 or less", "give an angle such as '90 deg'", 0);
+  if (kind == Argument::periods && !(value >= 1))
+    throw ValueError("less than one period", "give a number of periods such as '32'", 0);
+}
+
 // The text between the parentheses, as a request.
 MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument, std::size_t at) {
-  std::vector<Expected> expected;
-  if (metric.argument != Argument::torque) expected.push_back(kSpeed);
-  if (metric.argument != Argument::speed) expected.push_back(kTorque);
+  const std::vector<Expected> expected = expected_of(metric.argument);
   try {
     const Quantity quantity = parse_quantity(argument, expected);
-    const bool speed = expected[quantity.which].unit == kSpeed.unit;
-    return {metric.metric, speed ? Argument::speed : Argument::torque, quantity.value};
+    const Argument kind = expected[quantity.which].unit == kSpeed.unit    ? Argument::speed
+                          : expected[quantity.which].unit == kTorque.unit ? Argument::torque
+                                                                          : metric.argument;
+    require_way(kind, quantity.value);
+    return {metric.metric, kind, quantity.value};
   } catch (const ValueError& error) {
     throw ValueError(std::string(metric.name) + ": " + error.found(), error.expected(),
                      at + error.position());
@@ -331,7 +357,7 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
                        (!row.needs_geometry || design.stator.geometry) &&
                        (!row.needs_thermal || has_temperature(design, row.metric)) &&
                        (!row.needs_operation || !design.operation.empty()) &&
-                       (!row.needs_wear || design.wear) &&
+                       (!row.needs_wear || design.wear) && !row.needs_motion &&
                        (row.metric != Metric::radial_motion_ratio || has_radial_shape(design)) &&
                        (!needs_voltage(row.metric) || design.stator.voltage);
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));

@@ -67,7 +67,12 @@ std::span<const Reason> reasons() {
        "no limit of temperature is reached, however long the motor runs with this load"},
       {MetricStatus::does_not_wear,
        "nothing slips in the contact under this load, so that nothing wears and the life has no "
-       "end"}};
+       "end"},
+      {MetricStatus::does_not_start,
+       "from rest the rotor does not reach 90 % of its steady speed; raise the voltage, or start at "
+       "a higher frequency"},
+      {MetricStatus::does_not_stop,
+       "with the drive off, the load turns the rotor on; friction holds less than it"}};
   return kReasons;
 }
 
