@@ -194,7 +194,7 @@ void Integrator::take_parameters() {
                                   own.slopes.data()) == CV_SUCCESS &&
                     CVodeSetSensParams(memory, nullptr, scales.data(), nullptr) == CV_SUCCESS &&
                     CVodeSensEEtolerances(memory) == CV_SUCCESS &&
-                    CVodeSetSensErrCon(memory, SUNFALSE) == CV_SUCCESS;
+                    CVodeSetSensErrCon(memory, SUNTRUE) == CV_SUCCESS;
   TWUM_ASSERT(made);
 }
 

@@ -28,7 +28,7 @@ class OdeSystem {
 enum class StepEnd : unsigned char { advanced, event, stop_time, failed };
 
 /// Integrates a system step by step: backward differentiation of variable order and step (CVODES of SUNDIALS). With parameters it
-/// integrates S = dy/dq beside y, S' = y'_y S + y'_q, in the same steps; their error does not choose them.
+/// integrates S = dy/dq beside y, S' = y'_y S + y'_q, in the same steps, which keep the tolerance in S, too.
 class Integrator {
  public:
   /// @param event_count  of events()

@@ -42,6 +42,9 @@ constexpr double kSettled =
 constexpr double kPatience =
     100;  // times the time scales of wave and rotor: until then a start or a stop has ended
 constexpr double kStill = 1e-6;  // relative change in that time of what has settled somewhere else
+constexpr double kSlopeTolerance =
+    1e-6;  // of states and derivatives: good to 1e-4 of these; values have one of their own
+constexpr int kSwitchBits = 24;          // of the time at which a move's drive ends: 6e-8
 constexpr double kVoltageWithin = 1e-5;  // relative, of the dynamic start voltage
 
 // A state on the way, at a time within a step.
@@ -146,7 +149,7 @@ class Manoeuvres {
   /// @param settled  whether it goes on until the speed has settled, which the overshoot needs
   Start start(double torque, bool settled = true) const {
     Start start{steady(torque), {}, {}};
-    MotionTask task = steady_drive(design_, patience());
+    MotionTask task = under_drive_for(patience());
     task.load_torque = torque;
     RunWatch watch;
     watch.reached = StartWatch(start, patience() / kPatience, settled);
@@ -178,10 +181,10 @@ class Manoeuvres {
 
   RunEnd stop(double torque) const {
     steady(torque);  // which tells why there is none
-    MotionTask task = steady_drive(design_, patience());
+    MotionTask task = under_drive_for(patience());
     task.load_torque = torque;
     task.initial.steady = true;
-    task.switched_off = {{0, task.duration}}; if (getenv("TOL")) task.tolerance = atof(getenv("TOL"));
+    task.switched_off = {{0, task.duration}};
     RunWatch watch;
     watch.until_held = true, watch.slopes = slopes_;
     return held_end(task, std::move(watch));
@@ -197,7 +200,7 @@ class Manoeuvres {
 
   // On from rest for a time, then off until the rotor is held. Its time moves as `switch_slopes`.
   RunEnd burst(double on, std::vector<double> switch_slopes) const {
-    MotionTask task = steady_drive(design_, on + patience());
+    MotionTask task = under_drive_for(on + patience());
     task.switched_off = {{on, task.duration}};
     RunWatch watch;
     watch.until_held = true, watch.slopes = slopes_;
@@ -217,13 +220,16 @@ class Manoeuvres {
 
   // Off at the time t after which the rotor comes to rest at the angle: dt/dq = -theta_q / theta_t, dE = E_q + E_t dt.
   Moving move_energy(double angle) const {
-    const auto ends = [&](double on) { return burst(on, {}).y[kAngle] - angle; };
-    const double on = find_root(ends, 0, time_to(angle), -angle);
+    const Manoeuvres plain(design_, nullptr);
+    const auto excess = [&](double on) { return plain.burst(on, {}).y[kAngle] - angle; };
+    const double latest = time_to(angle);
+    const double on = closed_in("end of the drive of a move", excess,
+                                {0, latest, -angle, excess(latest)}, kSwitchBits)
+                          .nearest();
     const RunEnd end = burst(on, {});
     if (!slopes_) return {end.y[kEnergy], {}};
-    // A switch that is a little later, by differences: one number of each.
-    const double later = 1e-4 * on;
-    const RunEnd a = burst(on - later, {}), b = burst(on + later, {});
+    const double later = 1e-4 * on;  // a switch that moves, by differences
+    const RunEnd a = plain.burst(on - later, {}), b = plain.burst(on + later, {});
     const double per_angle = (b.y[kEnergy] - a.y[kEnergy]) / (b.y[kAngle] - a.y[kAngle]);
     return moving(end.y[kEnergy], [&](std::size_t k) {
       return end.slopes[k + kEnergy] - per_angle * end.slopes[k + kAngle];
@@ -253,6 +259,12 @@ class Manoeuvres {
         driven ? inertia * model_.crest_per_amplitude * model_.crest_per_amplitude / model_.damping
                : 0;
     return kPatience * (wave + (torque > 0 ? inertia * crest / torque : 0) + coasting);
+  }
+
+  MotionTask under_drive_for(double duration) const {
+    MotionTask task = steady_drive(design_, duration);
+    if (slopes_) task.tolerance = kSlopeTolerance;
+    return task;
   }
 
   Stretch under_drive(double torque) const {
@@ -287,7 +299,7 @@ class Manoeuvres {
   // Until the rotor, driven from rest, has turned by an angle.
   double time_to(double angle) const {
     const Steady running = steady(0);
-    MotionTask task = steady_drive(design_, patience() + 2 * angle / running.y[kSpeed]);
+    MotionTask task = under_drive_for(patience() + 2 * angle / running.y[kSpeed]);
     std::optional<double> found;
     RunWatch watch;
     watch.reached = [&](const Integrator& integrator, double begin) {
@@ -299,22 +311,6 @@ class Manoeuvres {
     require_ok(MotionRun(design_, task, watch).run());
     if (!found) throw NoValue{MetricStatus::does_not_start};
     return *found;
-  }
-
-  // Of zero at the beginning; the sum of f and `angle` at 0 is 0.
-  template <typename F>
-  static double find_root(const F& f, double low, double high, double at_low) {
-    double f_low = at_low, f_high = f(high);
-    for (int i = 0; i < 60 && high - low > 1e-9 * high; ++i) {
-      double next = high - f_high * (high - low) / (f_high - f_low);
-      if (!(next > low && next < high) || i % 3 == 2) next = 0.5 * (low + high);
-      const double value = f(next);
-      if (value < 0)
-        low = next, f_low = value;
-      else
-        high = next, f_high = value;
-    }
-    return high;
   }
 
   template <typename Slope>
@@ -396,7 +392,8 @@ class Answers final : public MotionMetrics {
     });
     const bool known =
         status.status == MetricStatus::ok &&
-        std::ranges::all_of(moved.gradient, [](double d) { return std::isfinite(d); });
+        (is_of_plant(request.metric) ||
+         std::ranges::all_of(moved.gradient, [](double d) { return std::isfinite(d); }));
     if (!known) return found;
     moved.smoothness = Smoothness::smooth;
     return moved;
@@ -468,6 +465,23 @@ class Answers final : public MotionMetrics {
     return gradient;
   }
 
+  // Inertia and damping of a layer that has none: the number has no slope there, a layer of very little inertia rings.
+  static bool is_of_layer(P parameter) {
+    return parameter >= P::thickness && parameter <= P::inertia;
+  }
+
+  // Slope at zero, by a step that moves the number a little.
+  template <typename F>
+  static double from_zero(double here, F f) {
+    double slope = 0;
+    for (double step = 1e-10; step < 1; step *= 10) {
+      const double change = f(step) - here;
+      slope = change / step;
+      if (std::fabs(change) > 1e-6 * std::fabs(here)) break;
+    }
+    return slope;
+  }
+
   // Central, to a relative 1e-9 or so; of a parameter that is zero one-sided, with a step that moves the number a little.
   std::array<double, kParameterCount> by_differences(const MetricRequest& request) {
     std::array<double, kParameterCount> gradient{};
@@ -481,15 +495,16 @@ class Answers final : public MotionMetrics {
       double& slope = gradient[index_of(row.parameter)];
       if (q != 0) {
         const double step = 1e-5 * std::fabs(q);
-        slope = (at(row.parameter, q + step) - at(row.parameter, q - step)) / (2 * step);
+        const double above = at(row.parameter, q + step);
+        const bool ends_here = row.parameter == P::static_friction &&
+                               q - step < design_.friction.kinetic;  // none from below
+        slope =
+            ends_here ? (above - here) / step : (above - at(row.parameter, q - step)) / (2 * step);
         continue;
       }
-      for (double step = 1e-10; step < 1; step *= 10) {
-        if (!complaint(row.parameter, step).empty()) break;
-        const double change = at(row.parameter, step) - here;
-        slope = change / step;
-        if (std::fabs(change) > 1e-6 * std::fabs(here)) break;
-      }
+      slope = is_of_layer(row.parameter)
+                  ? kNoValue
+                  : from_zero(here, [&](double step) { return at(row.parameter, step); });
     }
     return gradient;
   }

@@ -3,6 +3,7 @@
 
 #include "entries/never_defined.hpp"
 
+#include <twum/io/engineering.hpp>
 #include <twum/io/number.hpp>
 #include <twum/studies/run_options.hpp>
 
@@ -55,8 +56,8 @@ std::string pace_note(const StudyFile& file) {
   if (!pace) return {};
   const double longest = pace->seconds * static_cast<double>(pace->evaluations);
   if (longest < kLong) return {};
-  return "an evaluation of this motor takes about " + rounded_text(1e3 * pace->seconds, 2) +
-         " ms, so that the budget of " + std::to_string(pace->evaluations) +
+  return "an evaluation of this motor takes about " + printed_engineering(pace->seconds, "s", 2) +
+         ", so that the budget of " + std::to_string(pace->evaluations) +
          " evaluations (solver: max_evaluations) lasts about " + duration_words(longest) +
          " on one processor, or several times as long where other designs take longer";
 }

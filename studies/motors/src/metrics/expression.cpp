@@ -34,7 +34,7 @@ std::vector<Expected> expected_of(Argument argument) {
 
 std::string usage(const MetricInfo& metric) {
   if (metric.argument == Argument::both) return std::string(metric.name) + "(0.5 N.m, 100 rpm)";
-  return std::string(metric.name) + "(" + expected_of(metric.argument).back().example + ")";
+  return std::string(metric.name) + "(" + std::string(expected_of(metric.argument).back().example) + ")";
 }
 
 const char* argument_phrase(Argument argument) {
