@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motion/linear_plant.hpp>
 
+#include "hopping.hpp"
 #include "steady.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/contact_gradients.hpp>
 #include <twum/core/contact_slopes.hpp>
 #include <twum/motion/motion.hpp>
 
@@ -204,51 +204,6 @@ void require_voltage(const MotorDesign& design) {
     throw InputError("a plant needs a motor under a voltage; give stator.voltage and modal data");
 }
 
-// Wave, speed, height z of the rotor over its steady one, and z' (M4.5): contact and torque are those of the instantaneous normal
-// force N(A, z). In units of their size.
-Eigen::MatrixXd hopping(const MotionModel& m, const At& at, const ContactGradients& contact,
-                        double mass, double damping) {
-  constexpr auto kPreload = index_of(Parameter::preload);
-  enum : Eigen::Index { kHeight = 3, kRise, kCount };
-  struct Slopes {
-    double amplitude, speed, height;
-  };
-  const auto at_height = [&](const ContactGradients::Number& n) {
-    const double per_force = n.gradient[kPreload];
-    return Slopes{n.per_amplitude + per_force * contact.normal_per_amplitude, n.per_speed,
-                  per_force * contact.normal_per_height};
-  };
-  const Slopes re = at_height(contact.reactive_force), im = at_height(contact.active_force),
-               torque = at_height(contact.torque);
-  const double w = at.omega(), A = at.amplitude, J = m.inertia;
-  const double detuning = m.stiffness_of_wave - w * w * m.mass;
-  const double R = detuning * A + contact.reactive_force.value,
-               I = w * m.damping * A + contact.active_force.value;
-  const double free = std::sqrt((m.stiffness_of_wave + contact.reactive_force.value / A) / m.mass);
-  const double D = (w + free) * m.mass;
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(kCount, kCount);
-  a.row(kA) << -(w * m.damping + im.amplitude) / D, R / D, -im.speed / D, -im.height / D, 0;
-  a.row(kPhi) << -(detuning + re.amplitude) / (D * A), -I / (D * A), -re.speed / (D * A),
-      -re.height / (D * A), 0;
-  a.row(kOmega) << torque.amplitude / J, 0, (torque.speed - m.load_damping) / J, torque.height / J,
-      0;
-  a(kHeight, kRise) = 1;
-  a.row(kRise) << contact.normal_per_amplitude / mass, 0, 0, contact.normal_per_height / mass,
-      -damping / mass;
-  const double rate = std::sqrt(-contact.normal_per_height / mass);
-  Eigen::VectorXd unit(kCount);
-  unit << A, 1, at.speed, A, A * rate;
-  return unit.cwiseInverse().asDiagonal() * a * unit.asDiagonal();
-}
-
-// The pole nearest to that of the rotor on the layer alone.
-Complex axial_pole(const Eigen::MatrixXd& a, double normal_per_height, double mass) {
-  const Complex alone = kI * std::sqrt(-normal_per_height / mass);
-  const Eigen::VectorXcd poles = Eigen::EigenSolver<Eigen::MatrixXd>(a, false).eigenvalues();
-  return *std::ranges::min_element(poles.begin(), poles.end(), {},
-                                   [&](const Complex& p) { return std::abs(p - alone); });
-}
-
 }  // namespace
 
 LinearPlant linearize(const MotorDesign& design, double load_torque) {
@@ -292,13 +247,12 @@ double bounce_rate(const MotorDesign& design, double load_torque) {
   const MotionModel model(design);
   const Stretch stretch = constant_inputs(design, load_torque);
   const At at = steady_point(design, model, stretch);
-  const ContactGradients contact =
-      ContactDifferentiator(model.motor.design()).at(at.amplitude, at.speed);
-  if (contact.status != PointStatus::ok)
-    throw InputError(std::string("there is no plant at this torque: ") + to_string(contact.status));
-  return axial_pole(hopping(model, at, contact, *design.rotor.mass, 0), contact.normal_per_height,
-                    *design.rotor.mass)
-      .real();
+  MotorDesign there = model.motor.design();
+  there.stator.amplitude = at.amplitude;
+  const double rate = hopping_rate(model, there, at.speed);
+  if (std::isnan(rate))
+    throw InputError("there is no plant at this torque: the contact has no answer");
+  return rate;
 }
 
 }  // namespace twum::motion

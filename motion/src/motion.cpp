@@ -20,6 +20,8 @@ const char* to_string(MotionEventKind kind) noexcept {
     case MotionEventKind::switched_off: return "switched-off";
     case MotionEventKind::switched_on: return "switched-on";
     case MotionEventKind::swapped: return "swapped";
+    case MotionEventKind::squeals: return "squeals";
+    case MotionEventKind::bounces: return "bounces";
   }
   return "held";
 }

@@ -50,7 +50,8 @@ constexpr std::array kEvents{
     motion::MotionEventKind::reversed,     motion::MotionEventKind::started,
     motion::MotionEventKind::pulled_out,   motion::MotionEventKind::overruns,
     motion::MotionEventKind::switched_off, motion::MotionEventKind::switched_on,
-    motion::MotionEventKind::swapped};
+    motion::MotionEventKind::swapped,      motion::MotionEventKind::squeals,
+    motion::MotionEventKind::bounces};
 
 const MeasureName& measure_named(std::string_view name) {
   const auto found = std::ranges::find(kMeasures, name, &MeasureName::name);

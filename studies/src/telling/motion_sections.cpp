@@ -29,6 +29,8 @@ const char* event_words(MotionEventKind kind) {
     case MotionEventKind::switched_off: return "the drive is switched off";
     case MotionEventKind::switched_on: return "the drive is switched on";
     case MotionEventKind::swapped: return "the phases are swapped";
+    case MotionEventKind::squeals: return "a backward wave has grown";
+    case MotionEventKind::bounces: return "the rotor begins to hop";
   }
   return "";
 }

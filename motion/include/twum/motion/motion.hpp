@@ -74,7 +74,9 @@ enum class MotionEventKind : unsigned char {
   overruns,    ///< the rotor drives the wave: T below -1 % of the holding torque at a forward speed
   switched_off,  ///< the drive
   switched_on,   ///< likewise
-  swapped        ///< the phases, so that the wave changed its direction
+  swapped,       ///< the phases, so that the wave changed its direction
+  squeals,       ///< a backward wave, which an averaged motion leaves out, has grown 150-fold (add_what_is_left_out())
+  bounces        ///< likewise hops of the rotor
 };
 
 /// Short machine-readable word, such as "pulled-out". Static lifetime.
