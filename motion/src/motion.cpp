@@ -2,6 +2,7 @@
 #include <twum/motion/motion.hpp>
 
 #include "motion_run.hpp"
+#include "oscillating/oscillating_run.hpp"
 
 #include <twum/core/parameters.hpp>
 
@@ -42,12 +43,35 @@ double opening_amplitude(const MotorDesign& design) {
   return design.preload / (2 * stiffness);
 }
 
-void require_motion(const MotorDesign& design, const MotionTask& task) {
-  MotionRun(design, task).begin();
+std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& task) {
+  if (task.engine == MotionEngine::oscillating)
+    return std::make_unique<OscillatingRun>(design, task);
+  return std::make_unique<MotionRun>(design, task);
 }
 
+namespace {
+
+// An engine at the beginning of a motion, and what it is to follow.
+struct Begun {
+  Begun(const MotorDesign& design, const MotionTask& task)
+      : stretches(stretches_of(task, design.stator.voltage.has_value())),
+        engine(engine_of(design, task)) {
+    engine->begin(task.initial.steady ? before_the_first(task) : stretches.front());
+  }
+
+  std::vector<Stretch> stretches;
+  std::unique_ptr<Engine> engine;
+};
+
+}  // namespace
+
+void require_motion(const MotorDesign& design, const MotionTask& task) { Begun(design, task); }
+
 Motion simulate(const MotorDesign& design, const MotionTask& task) {
-  return MotionRun(design, task).run();
+  const Begun motion(design, task);
+  for (const Stretch& stretch : motion.stretches)
+    if (!motion.engine->follow(stretch)) break;
+  return motion.engine->finish();
 }
 
 }  // namespace twum::motion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "engine.hpp"
 #include "equations.hpp"
 #include "watch.hpp"
 
@@ -11,20 +12,21 @@
 namespace twum::motion {
 
 /// One motion while it is integrated: stretch after stretch, and within each from event to event.
-class MotionRun {
+class MotionRun final : public Engine {
  public:
   MotionRun(const MotorDesign& design, const MotionTask& task);
-  Motion run();
 
-  /// The state at the beginning.
-  void begin();
+  void begin(const Stretch& first) override;
+  bool follow(const Stretch& stretch) override;
+  double angle() const override { return y_[kAngle]; }
+  double speed() const override { return y_[kSpeed]; }
+  Motion finish() override;
 
  private:
-  Stretch before_the_first() const;
   /// Each is false where the motion ends early.
   /// @{
   bool enter(const Stretch& stretch);
-  bool follow(const Stretch& stretch);
+  bool integrate(const Stretch& stretch);
   bool swap_phases();
   /// @}
   void turn_wave();
@@ -40,11 +42,9 @@ class MotionRun {
   const MotorDesign& design_;
   const MotionTask& task_;
   MotionModel model_;
-  std::vector<Stretch> stretches_;
   Equations equations_;
   Integrator integrator_;
   Watch watch_;
-  Stretch before_{};
   States y_{};
   double time_{0};
   std::size_t next_sample_{0};

@@ -8,6 +8,8 @@
 #include <twum/io/engineering.hpp>
 #include <twum/io/words.hpp>
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 
 namespace twum::studies {
@@ -25,6 +27,8 @@ class MotionCheck {
   void check() {
     check_motor();
     check_entries_of_drive();
+    if (oscillates()) check_motor_of_two_waves();
+    if (!oscillates()) check_one_wave();
     check_values("voltage", study_.drive.voltage, Parameter::voltage);
     check_values("amplitude", study_.drive.amplitude, Parameter::amplitude);
     check_values("frequency", study_.drive.frequency, Parameter::frequency);
@@ -64,12 +68,51 @@ class MotionCheck {
     if (!motor_.rotor.inertia && !varies(Parameter::rotor_inertia))
       say_of_motor("it has no rotor_inertia, which a motion needs",
                    "give rotor.inertia in the motor file, such as 7e-6 kg.m^2");
-    if (motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
+    if (!oscillates() && motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
       say_of_motor("its phases or modes are unequal (stator.imbalance), but a motion has one wave",
                    "leave them out");
     if (motor_.stator.radial_motion)
       say_of_motor("its surface also moves radially, with which a motion would take hours",
                    "write 'radial_motion: false' under stator");
+  }
+
+  bool oscillates() const { return study_.engine == motion::MotionEngine::oscillating; }
+
+  // What the oscillating engine does not compute.
+  void check_motor_of_two_waves() {
+    if (!motor_.stator.voltage)
+      say("engine", "the oscillating engine for a motor that is given by its amplitude",
+          "give stator.voltage in the motor file, or write 'engine: averaged'");
+    if (motor_.stator.radial_slices != 1 && !varies(Parameter::radial_slices))
+      say_of_motor("radial_slices is not 1, but the oscillating engine has one contact radius",
+                   "write 'radial_slices: 1' under stator");
+    if (motor_.rotor.taper != 0)
+      say_of_motor("rotor_taper is not 0, but the oscillating engine has one contact radius",
+                   "leave it out");
+    if (motor_.friction.threshold > motor_.friction.kinetic)
+      say_of_motor("static_friction is above kinetic_friction; the oscillating engine has one",
+                   "leave out friction.static");
+    if (!motor_.rotor.mass && !varies(Parameter::rotor_mass) && mixes_waves())
+      say_of_motor(
+          "it has no rotor_mass, which decides how two waves share the rotor",
+          "give rotor.mass, such as 0.1 kg, or 0 kg for a rotor that follows the larger wave");
+  }
+
+  bool mixes_waves() const {
+    if (!study_.drive.reversed.empty()) return true;
+    if (!study_.drive.phase_difference) return false;
+    return std::ranges::any_of(
+        study_.drive.phase_difference->rows(),
+        [](const motion::Profile::Row& row) { return row.second != std::numbers::pi / 2; });
+  }
+
+  void check_one_wave() {
+    if (study_.accuracy)
+      say("accuracy", "an accuracy for the averaged engine, which has none",
+          "leave it out, or write 'engine: oscillating'");
+    if (study_.drive.phase_difference)
+      say("drive.phase_difference", "a phase difference for the averaged engine, which has one wave",
+          "write 'engine: oscillating'");
   }
 
   void check_entries_of_drive() {

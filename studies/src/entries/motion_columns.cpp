@@ -28,6 +28,10 @@ constexpr std::array kMotionColumns{
     MotionColumn{"electrical_power", "W", [](const Sample& s) { return s.electrical_power; }},
     MotionColumn{"phase_current", "A", [](const Sample& s) { return s.phase_current; }},
     MotionColumn{"energy", "J", [](const Sample& s) { return s.energy; }},
+    MotionColumn{"backward_amplitude", "m", [](const Sample& s) { return s.backward_amplitude; },
+                 true},
+    MotionColumn{"phase_difference", "rad", [](const Sample& s) { return s.phase_difference; },
+                 true},
     MotionColumn{"held", "1", [](const Sample& s) { return s.held ? 1.0 : 0.0; }},
     MotionColumn{"off", "1", [](const Sample& s) { return s.off ? 1.0 : 0.0; }}};
 

@@ -6,6 +6,7 @@
 
 #include <twum/io/words.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace twum::studies {
@@ -69,7 +70,12 @@ Shape<MotionStudy::Drive> drive_shape() {
                    &D::switched_off, "never"),
        hidden(optional<D>("reversed",
                           intervals("when the phases are swapped, from one time to the next"),
-                          &D::reversed, "never"))});
+                          &D::reversed, "never")),
+       hidden(optional<D>("phase_difference",
+                          profile("by which the first phase leads the second; other than 90 deg "
+                                  "with the oscillating engine",
+                                  "rad", "60 deg"),
+                          &D::phase_difference, "90 deg"))});
 }
 
 Shape<MotionStudy::Output> output_shape() {
@@ -82,6 +88,15 @@ Shape<MotionStudy::Output> output_shape() {
                     {optional<O>("step", quantity("time between rows", "s", "50 us"), &O::step,
                                  "a thousandth of the duration"),
                      optional<O>("columns", columns, &O::columns, "all")});
+}
+
+Shape<double> accuracy_shape() {
+  return shape_as<double, std::size_t>(
+      choice("of the oscillating engine: factor of the points of the contact and of the steps of a "
+             "period",
+             {"1", "2", "4"}),
+      [](std::size_t number) { return std::exp2(static_cast<double>(number)); },
+      [](double factor) { return static_cast<std::size_t>(std::lround(std::log2(factor))); });
 }
 
 bool more_than_zero(const Given& given, const char* name, double value, Diagnostics& diagnostics) {
@@ -112,8 +127,12 @@ Shape<MotionStudy> MotionStudy::shape() {
        required<M>("duration", quantity("how long the motion is followed", "s", "40 ms"),
                    &M::duration),
        hidden(standard<M>(
-           "engine", word<MotionEngine>("one wave, averaged over each vibration", {"averaged"}),
+           "engine",
+           word<motion::MotionEngine>(
+               "one wave, averaged over each vibration, or every vibration of two waves",
+               {"averaged", "oscillating"}),
            &M::engine)),
+       hidden(optional<M>("accuracy", accuracy_shape(), &M::accuracy, "1")),
        standard<M>("initial", initial_shape(), &M::initial),
        hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),
        optional<M>("load", load_shape(), &M::load, "the motor's"),

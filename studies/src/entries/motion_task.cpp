@@ -41,6 +41,9 @@ motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& moto
   if (asked.load.torque) task.load_torque = *asked.load.torque;
   task.switched_off = asked.drive.switched_off;
   task.reversed = asked.drive.reversed;
+  if (asked.drive.phase_difference) task.phase_difference = *asked.drive.phase_difference;
+  task.engine = asked.engine;
+  task.accuracy = asked.accuracy.value_or(1);
   return task;
 }
 

@@ -22,9 +22,15 @@ Json motion_json(const MotionResult& result, const MotionResult::Member& member)
   for (const motion::MotionEvent& event : member.motion.events)
     json["events"].push_back(event_json(event));
   json["measures"] = Json::array();
-  for (const MotionResult::Measure& one : member.measures)
+  for (const MotionResult::Measure& one : member.measures) {
     json["measures"].push_back(
         {{"measure", one.text}, {"unit", one.unit}, {"value", number_json(one.value)}});
+    if (one.step_error) json["measures"].back()["step_error"] = number_json(*one.step_error);
+  }
+  if (member.step_error)
+    json["step_error"] = {{"speed", member.step_error->speed},
+                          {"angle", member.step_error->angle},
+                          {"amplitude", member.step_error->amplitude}};
   return json;
 }
 
@@ -35,6 +41,10 @@ Json answer_json(const MotionResult& result) {
   Json motion = Json::object();
   if (result.family)
     motion["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
+  if (result.engine == motion::MotionEngine::oscillating) {
+    motion["engine"] = "oscillating";
+    motion["accuracy"] = result.accuracy;
+  }
   motion["duration"] = result.duration;
   motion["step"] = result.step;
   motion["units"] = {{"time", "s"},     {"speed", "rad/s"}, {"angle", "rad"}, {"amplitude", "m"},

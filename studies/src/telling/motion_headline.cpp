@@ -43,7 +43,7 @@ std::optional<double> time_to(const MovedMotor& motor, double speed) {
 }
 
 bool runs(const MovedMotor& motor) {
-  return settled(motor).amplitude > 3 * motor.opening_amplitude;
+  return settled(motor).larger_wave() > 3 * motor.opening_amplitude;
 }
 
 Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {

@@ -94,6 +94,8 @@ constexpr Course kSpeed{"speed", "speed", "rad/s", [](const MotionSample& s) { r
 constexpr Course kCourses[] = {
     {"angle", "angle", "rad", [](const MotionSample& s) { return s.angle; }},
     {"amplitude", "amplitude of the wave", "m", [](const MotionSample& s) { return s.amplitude; }},
+    {"backward_amplitude", "amplitude of the backward wave", "m",
+     [](const MotionSample& s) { return s.backward_amplitude; }},
     {"torque", "torque of the contact", "N.m", [](const MotionSample& s) { return s.torque; }},
     {"voltage", "voltage at a phase", "V", [](const MotionSample& s) { return s.voltage; }},
     {"frequency", "frequency of the drive", "Hz", [](const MotionSample& s) { return s.frequency; },
@@ -131,10 +133,26 @@ void mark_events(Chart& chart, const MotionResult& answer) {
   }
 }
 
+// The error bar of the oscillating engine.
+Phrase step_error_remark(const MotionResult& answer, const MovedMotor& motor) {
+  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
+  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
+  const MotionResult::StepError& error = *motor.step_error;
+  append(phrase, {answer.family ? " errors of points and steps: speed "
+                                : "Errors of points and steps: speed ",
+                  value_part(error.speed, "rad/s", 2), ", angle ",
+                  value_part(error.angle, "rad", 2), ", amplitude ",
+                  value_part(error.amplitude, "m", 2),
+                  ". These are the largest differences over time from a motion with half as many."});
+  return phrase;
+}
+
 Section courses(const MotionResult& answer) {
   Section section{{"Over time"}, {}};
   section.charts = {course_chart(answer, kSpeed)};
   mark_events(section.charts.front(), answer);
+  for (const MovedMotor& motor : answer.members)
+    if (motor.step_error) section.remarks.push_back(step_error_remark(answer, motor));
   for (const Course& course : kCourses) {
     Chart chart = course_chart(answer, course);
     if (!chart.series.empty()) section.charts.push_back(std::move(chart));

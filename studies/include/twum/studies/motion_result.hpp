@@ -18,6 +18,13 @@ struct MotionResult {
     std::string text;  ///< as typed, such as "overshoot(speed)"
     std::string unit;  ///< SI
     double value{0};   ///< NaN where the motion does not have it
+    std::optional<double> step_error{};  ///< as of StepError
+  };
+  /// How far a motion of the oscillating engine depends on its points and steps: largest differences of two accuracies over time.
+  struct StepError {
+    double speed;      ///< [rad/s]
+    double angle;      ///< [rad]
+    double amplitude;  ///< of either wave [m]
   };
   /// One motor.
   struct Member {
@@ -27,8 +34,11 @@ struct MotionResult {
     double opening_amplitude{0};      ///< A_1 [m]
     double holding_torque{0};         ///< without a wave [N m]
     std::optional<double> off_at{};   ///< when the drive was switched off last [s]
+    std::optional<StepError> step_error{};  ///< with the oscillating engine
   };
   std::optional<StoredColumn> family;  ///< nothing for the motor alone
+  motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of all motions
+  double accuracy{1};                                           ///< of the oscillating engine
   double duration{0};                  ///< [s]
   double step{0};                      ///< between samples [s]
   std::vector<Member> members;         ///< in the order asked

@@ -129,11 +129,6 @@ struct LifeStudy {
   std::optional<LoadPoint> load() const;
 };
 
-/// How motions are computed.
-enum class MotionEngine : unsigned char {
-  averaged  ///< one wave, averaged over each vibration
-};
-
 /// A number of a motion that is asked for.
 struct MotionMeasure {
   /// What it is.
@@ -169,6 +164,7 @@ struct MotionStudy {
     std::optional<motion::Profile> frequency{};    ///< [Hz]
     std::vector<motion::Interval> switched_off{};  ///< may be empty
     std::vector<motion::Interval> reversed{};      ///< phases swapped; may be empty
+    std::optional<motion::Profile> phase_difference{};  ///< [rad]; none: a quarter of a turn
   };
   /// What is stored.
   struct Output {
@@ -177,7 +173,8 @@ struct MotionStudy {
   };
   std::optional<CurveStudy::Family> family{};   ///< none: the motor alone
   double duration{0};                           ///< [s]
-  MotionEngine engine{MotionEngine::averaged};  ///< of the motion
+  motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of the motion
+  std::optional<double> accuracy{};             ///< of the oscillating engine; none: 1
   motion::InitialState initial{};               ///< at rest
   Drive drive{};                                ///< over time
   Load load{};                                  ///< over time

@@ -99,6 +99,18 @@ std::vector<double> times_of(const MotionMeasure& measure) {
   return {};
 }
 
+MotionResult::StepError step_error(Samples fine, Samples coarse) {
+  MotionResult::StepError error{0, 0, 0};
+  for (std::size_t i = 0; i < std::min(fine.size(), coarse.size()); ++i) {
+    const Sample &a = fine[i], &b = coarse[i];
+    error.speed = std::max(error.speed, std::abs(a.speed - b.speed));
+    error.angle = std::max(error.angle, std::abs(a.angle - b.angle));
+    error.amplitude = std::max({error.amplitude, std::abs(a.amplitude - b.amplitude),
+                                std::abs(a.backward_amplitude - b.backward_amplitude)});
+  }
+  return error;
+}
+
 std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
                                             Samples samples,
                                             std::span<const motion::MotionEvent> events,

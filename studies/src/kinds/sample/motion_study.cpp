@@ -6,6 +6,7 @@
 #include <twum/base/no_value.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace twum::studies {
@@ -35,7 +36,8 @@ class MotionRun : public FamilyRun<MotionResult> {
     for (const std::size_t column : asked.output.columns)
       columns_.push_back(&motion_columns()[column]);
     if (columns_.empty())
-      for (const MotionColumn& one : motion_columns()) columns_.push_back(&one);
+      for (const MotionColumn& one : motion_columns())
+        if (!one.of_two_waves || is_oscillating()) columns_.push_back(&one);
   }
 
  private:
@@ -48,6 +50,7 @@ class MotionRun : public FamilyRun<MotionResult> {
   MotionResult frame() const override {
     MotionResult result;
     result.duration = asked_.duration, result.step = asked_.step();
+    result.engine = asked_.engine, result.accuracy = asked_.accuracy.value_or(1);
     return result;
   }
 
@@ -77,7 +80,21 @@ class MotionRun : public FamilyRun<MotionResult> {
     if (!off.empty()) one.off_at = off.back().begin;
     one.measures = measured(asked_.measure, one.motion.samples, one.motion.events, last_on);
     one.opening_amplitude = motion::opening_amplitude(motor.design);
+    if (is_oscillating()) add_step_errors(one, motor.design, task, last_on);
     return one;
+  }
+
+  bool is_oscillating() const { return asked_.engine == motion::MotionEngine::oscillating; }
+
+  // The engine is of first order: half as many points and steps have twice the error, so the difference is the error.
+  void add_step_errors(Member& one, const MotorDesign& design, MotionTask task,
+                       double last_on) const {
+    task.accuracy /= 2;
+    const motion::Motion coarse = motion::simulate(design, task);
+    one.step_error = step_error(one.motion.samples, coarse.samples);
+    const auto measures = measured(asked_.measure, coarse.samples, coarse.events, last_on);
+    for (std::size_t i = 0; i < measures.size(); ++i)
+      one.measures[i].step_error = std::abs(one.measures[i].value - measures[i].value);
   }
 
   MotionStudy asked_;
