@@ -235,7 +235,7 @@ TEST_CASE("an undamped rotor hops near no-load, and damping keeps it down",
 
 TEST_CASE("a small wave and a load hold the rotor, which the oscillating engine tells",
           "[motion][oscillating]") {
-  const MotorDesign d = elastic_60(1e-4, 30);
+  const MotorDesign d = elastic_60(1e-4, 20);
   MotionTask task = oscillating(d, 0.004);
   task.load_torque = 0.1;
   const Motion rest = simulate(d, task);
@@ -264,8 +264,10 @@ TEST_CASE("resistors stop an oscillating motor as another program's circuit does
     task.initial.steady = true;
     task.switched_off = {{0, 0.02}};
     const Motion m = simulate(d, task);
-    // 0.2 % of the speed and of the wave at these steps, and the digits given.
-    CHECK(1e3 * m.last.angle == Approx(stop.angle).epsilon(5e-3));
+    // 0.2 % of the speed and of the wave at these steps, and the digits given. The capacitance of a phase keeps the drive's voltage
+    // for R_off C_0, 17 us with 2 kohm; that turns the rotor by 0.2 mrad, about which the table says nothing.
+    CHECK(1e3 * m.last.angle == Approx(stop.angle).margin(5e-3 * stop.angle +
+                                                          (stop.resistance > 1000 ? 0.25 : 0.0)));
   }
 }
 
