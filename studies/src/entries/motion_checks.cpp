@@ -29,6 +29,7 @@ class MotionCheck {
     check_entries_of_drive();
     if (oscillates()) check_motor_of_two_waves();
     if (!oscillates()) check_one_wave();
+    if (study_.control) check_control(*study_.control);
     check_values("voltage", study_.drive.voltage, Parameter::voltage);
     check_values("amplitude", study_.drive.amplitude, Parameter::amplitude);
     check_values("frequency", study_.drive.frequency, Parameter::frequency);
@@ -106,6 +107,44 @@ class MotionCheck {
         [](const motion::Profile::Row& row) { return row.second != std::numbers::pi / 2; });
   }
 
+  // What a loop and the entries beside it have to agree on. Its numbers are the engine's to check.
+  void check_control(const MotionControl& control) {
+    const motion::Actuator actuator = control.actuator_of(motor_);
+    const bool by_voltage = actuator == motion::Actuator::voltage;
+    if (!motor_.stator.voltage)
+      say("control", "a loop for a motor that is given by its amplitude",
+          "give stator.voltage in the motor file");
+    if (by_voltage ? study_.drive.voltage.has_value() : study_.drive.frequency.has_value())
+      say(by_voltage ? "drive.voltage" : "drive.frequency", "a value for what control changes",
+          "leave it out, or leave out control");
+    if (!study_.drive.reversed.empty())
+      say("drive.reversed", "phases that are swapped under a loop of the speed",
+          "leave it out, or leave out control");
+    if (control.range.empty() && (by_voltage || !motor_.stator.frequency_range))
+      say("control", "no range of its output",
+          by_voltage ? "give range, such as [100 V, 160 V]"
+                     : "give range, such as [39.7 kHz, 44.5 kHz], or stator.frequency_range");
+    const auto check_unit = [&](const char* entry, const LoopValue& value) {
+      if (value.unit == actuator) return true;
+      say(std::string("control.") + entry,
+          by_voltage ? "a frequency, but the loop changes the voltage"
+                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "give it in V, or write 'actuator: frequency'"
+                     : "give it in Hz, or write 'actuator: voltage'");
+      return false;
+    };
+    for (const LoopValue& end : control.range)
+      if (!check_unit("range", end)) break;
+    if (control.slew) check_unit("slew", *control.slew);
+    if (control.gains)
+      check_unit("gains", control.gains->kp) && check_unit("gains", control.gains->ki);
+    if (by_voltage ? control.start_frequency.has_value() : control.start_voltage.has_value())
+      say(by_voltage ? "control.start_frequency" : "control.start_voltage",
+          by_voltage ? "a frequency, but the loop changes the voltage"
+                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "give start_voltage" : "give start_frequency");
+  }
+
   void check_one_wave() {
     if (study_.accuracy)
       say("accuracy", "an accuracy for the averaged engine, which has none",
@@ -162,9 +201,14 @@ class MotionCheck {
     if (study_.family) return;  // each of its motors says it when the study runs
     const MotorDesign motor = motion_motor(study_, motor_);
     try {
-      motion::require_motion(motor, motion_task(study_, motor));
+      const motion::MotionTask task = motion_task(study_, motor);
+      if (study_.control)
+        motion::require_control(motor, task, speed_control(*study_.control, motor));
+      else
+        motion::require_motion(motor, task);
     } catch (const InputError& error) {
-      say(study_.initial.steady ? "initial" : "kind", error.what(),
+      const char* entry = study_.control ? "control" : study_.initial.steady ? "initial" : "kind";
+      say(entry, error.what(),
           study_.initial.steady ? "begin at rest, or with another drive or load" : "");
     }
   }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "entries/motion_task.hpp"
 
+#include <twum/base/no_value.hpp>
 #include <twum/core/parameters.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace twum::studies {
 
@@ -30,6 +32,31 @@ std::vector<double> motion_times(const MotionStudy& asked) {
   for (std::uint64_t k = 0; k <= static_cast<std::uint64_t>(share); ++k)
     times.push_back(std::min(static_cast<double>(k) * asked.step(), asked.duration));
   return times;
+}
+
+motion::Actuator MotionControl::actuator_of(const MotorDesign& motor) const {
+  const bool by_voltage = motor.stator.control == DriveControl::voltage;
+  return actuator.value_or(by_voltage ? motion::Actuator::voltage : motion::Actuator::frequency);
+}
+
+motion::SpeedControl speed_control(const MotionControl& asked, const MotorDesign& motor) {
+  motion::SpeedControl control;
+  control.reference = asked.reference, control.sample_time = asked.sample_time;
+  control.delay = static_cast<int>(asked.delay);
+  if (asked.encoder) control.encoder = static_cast<double>(*asked.encoder);
+  control.actuator = asked.actuator_of(motor);
+  const bool by_voltage = control.actuator == motion::Actuator::voltage;
+  if (asked.range.size() == 2)
+    control.range = {asked.range[0].value, asked.range[1].value};
+  else
+    control.range = by_voltage ? std::pair{kNoValue, kNoValue}
+                               : motor.stator.frequency_range.value_or(std::pair{kNoValue, kNoValue});
+  const auto [least, most] = control.range;
+  control.start = by_voltage ? asked.start_voltage.value_or(motor.stator.voltage.value_or(kNoValue))
+                             : asked.start_frequency.value_or(most);
+  if (asked.slew) control.slew = asked.slew->value;
+  if (asked.gains) control.gains = motion::LoopGains{asked.gains->kp.value, asked.gains->ki.value};
+  return control;
 }
 
 motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& motor) {

@@ -3,8 +3,11 @@
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
 
+#include <twum/io/number.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -162,10 +165,56 @@ Section courses(const MotionResult& answer) {
 
 }  // namespace
 
+constexpr double kLeastGainMargin = 2;                         // 6 dB
+constexpr double kLeastPhaseMargin = std::numbers::pi / 4;  // 45 degrees
+
+std::string decibels(double factor) {
+  return std::isfinite(factor) ? rounded_text(20 * std::log10(factor), 3) + " dB" : "no limit";
+}
+
+std::string degrees(double angle) {
+  return std::isfinite(angle) ? rounded_text(angle * 180 / std::numbers::pi, 3) + " deg"
+                              : "no limit";
+}
+
+Section loops(const MotionResult& answer) {
+  Section section{{"The loop"}, {}};
+  Table table{"loop",
+              {{"motor"}, {"kp"}, {"ki"}, {"output"}, {"speed"}, {"gain margin"}, {"phase margin"},
+               {"crossover"}},
+              {}};
+  table.keys = 1;
+  for (const MovedMotor& motor : answer.members) {
+    if (!motor.loop) continue;
+    const MotionResult::Loop& loop = *motor.loop;
+    const std::string unit = loop.actuator == motion::Actuator::voltage ? "V" : "Hz";
+    table.rows.push_back({family_phrase(answer.family, motor.value),
+                          {value_part(loop.gains.proportional, unit + ".s/rad")},
+                          {value_part(loop.gains.integral, unit + "/rad")},
+                          {value_part(loop.plant.output, unit)},
+                          {value_part(loop.plant.speed, "rad/s")},
+                          {decibels(loop.margins.gain)},
+                          {degrees(loop.margins.phase)},
+                          {value_part(loop.margins.crossover, "Hz", 3)}});
+    if (loop.margins.gain < kLeastGainMargin || loop.margins.phase < kLeastPhaseMargin)
+      section.remarks.push_back(
+          {bad("The margins are small"),
+           ": below 6 dB or 45 deg a loop rings, and a motor that differs from its file may make "
+           "it unstable. Take smaller gains, or a shorter sample time or delay."});
+  }
+  section.remarks.push_back(
+      {"Gains and margins are those of the plant at the largest reference; at lower speeds the "
+       "loop is slower."});
+  section.tables = {table};
+  return section;
+}
+
 std::vector<Section> sections_of(const MotionResult& answer, const Sources& /*sources*/) {
   if (answer.members.empty()) return {};
   std::vector<Section> sections{courses(answer)};
   const auto any = [&](auto has) { return std::ranges::any_of(answer.members, has); };
+  if (any([](const MovedMotor& motor) { return motor.loop.has_value(); }))
+    sections.push_back(loops(answer));
   if (any([](const MovedMotor& motor) { return !motor.measures.empty(); }))
     sections.push_back(measures(answer));
   if (any([](const MovedMotor& motor) { return !motor.motion.events.empty(); }))

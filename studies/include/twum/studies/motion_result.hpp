@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/io/column.hpp>
+#include <twum/motion/control.hpp>
 #include <twum/motion/motion.hpp>
 
 #include <optional>
@@ -26,6 +27,13 @@ struct MotionResult {
     double angle;      ///< [rad]
     double amplitude;  ///< of either wave [m]
   };
+  /// A loop that changed the drive.
+  struct Loop {
+    motion::Actuator actuator{};    ///< what it changed
+    motion::LoopGains gains{};      ///< those in use
+    motion::LoopPlant plant{};      ///< where they and the margins hold
+    motion::LoopMargins margins{};  ///< of the linear plant there
+  };
   /// One motor.
   struct Member {
     double value{0};                  ///< of the family's parameter, SI; NaN for the motor alone
@@ -35,6 +43,7 @@ struct MotionResult {
     double holding_torque{0};         ///< without a wave [N m]
     std::optional<double> off_at{};   ///< when the drive was switched off last [s]
     std::optional<StepError> step_error{};  ///< with the oscillating engine
+    std::optional<Loop> loop{};             ///< of a motion under control
   };
   std::optional<StoredColumn> family;  ///< nothing for the motor alone
   motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of all motions

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/motion/control.hpp>
 #include <twum/motion/motion.hpp>
 #include <twum/motors/column_choice.hpp>
 #include <twum/motors/statistic.hpp>
@@ -132,13 +133,49 @@ struct LifeStudy {
 /// A number of a motion that is asked for.
 struct MotionMeasure {
   /// What it is.
-  enum class Kind : unsigned char { time_to, overshoot, peak, angle_after, energy, time_of };
+  enum class Kind : unsigned char {
+    time_to,
+    settling_time,
+    overshoot,
+    peak,
+    angle_after,
+    energy,
+    time_of
+  };
   std::string text;               ///< as typed, such as "time_to(speed, 90 %)"
   Kind kind{Kind::time_to};       ///< what it is
-  std::string column{};           ///< of time_to, overshoot and peak; the event of time_of
-  std::optional<double> share{};  ///< of the value before the drive is switched off, of time_to
+  std::string column{};           ///< of those that have one; the event of time_of
+  std::optional<double> share{};  ///< of the value before the drive is switched off
   double at{0};                   ///< a level in SI, or a time [s]
   double to{0};                   ///< end of an interval [s]
+};
+
+/// A number of a loop's output: a frequency or a voltage, or a rate or gain of one.
+struct LoopValue {
+  double value{0};                                         ///< SI
+  motion::Actuator unit{motion::Actuator::frequency};  ///< that of its unit
+};
+
+/// A loop that changes the drive in a motion.
+struct MotionControl {
+  motion::Profile reference{};                  ///< of the speed [rad/s]
+  double sample_time{1e-3};                     ///< [s]
+  std::uint64_t delay{1};                       ///< samples
+  std::optional<std::uint64_t> encoder{};       ///< counts a turn; none: the angle is exact
+  std::optional<motion::Actuator> actuator{};   ///< none: that of the motor's control
+  std::vector<LoopValue> range{};               ///< two, or none: the motor's range of frequencies
+  std::optional<double> start_frequency{};      ///< [Hz]; none: the upper end of the range
+  std::optional<double> start_voltage{};        ///< [V]; none: the motor's voltage
+  std::optional<LoopValue> slew{};              ///< over time
+  /// Gains of the controller.
+  struct Gains {
+    LoopValue kp;  ///< [Hz.s/rad or V.s/rad]
+    LoopValue ki;  ///< [Hz/rad or V/rad]
+  };
+  std::optional<Gains> gains{};  ///< none: those of (M8.1)
+
+  /// What it changes on a motor.
+  motion::Actuator actuator_of(const MotorDesign& motor) const;
 };
 
 /// A motor in time: starts, stops, changes of load and drive; of one motor, or of a family over one parameter.
@@ -178,6 +215,7 @@ struct MotionStudy {
   motion::InitialState initial{};               ///< at rest
   Drive drive{};                                ///< over time
   Load load{};                                  ///< over time
+  std::optional<MotionControl> control{};       ///< in place of a given frequency or voltage
   Output output{};                              ///< what is stored
   std::vector<MotionMeasure> measure{};         ///< may be empty
 

@@ -74,7 +74,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     task.output_times = times_with(times_, asked_.measure, asked_.duration);
     task.go_on = [this](double) { return !asked_to_stop(); };
     Member one;
-    one.motion = motion::simulate(motor.design, task);
+    one.motion = moved(motor.design, task, &one.loop);
     const std::vector<motion::Interval>& off = task.switched_off;
     const double last_on = off.empty() ? asked_.duration : off.front().begin;
     if (!off.empty()) one.off_at = off.back().begin;
@@ -84,13 +84,23 @@ class MotionRun : public FamilyRun<MotionResult> {
     return one;
   }
 
+  motion::Motion moved(const MotorDesign& design, const MotionTask& task,
+                       std::optional<MotionResult::Loop>* loop) const {
+    if (!asked_.control) return motion::simulate(design, task);
+    const motion::SpeedControl control = speed_control(*asked_.control, design);
+    motion::ControlledMotion result = motion::simulate(design, task, control);
+    if (loop != nullptr)
+      *loop = MotionResult::Loop{control.actuator, result.gains, result.plant, result.margins};
+    return std::move(result.motion);
+  }
+
   bool is_oscillating() const { return asked_.engine == motion::MotionEngine::oscillating; }
 
   // The engine is of first order: half as many points and steps have twice the error, so the difference is the error.
   void add_step_errors(Member& one, const MotorDesign& design, MotionTask task,
                        double last_on) const {
     task.accuracy /= 2;
-    const motion::Motion coarse = motion::simulate(design, task);
+    const motion::Motion coarse = moved(design, task, nullptr);
     one.step_error = step_error(one.motion.samples, coarse.samples);
     const auto measures = measured(asked_.measure, coarse.samples, coarse.events, last_on);
     for (std::size_t i = 0; i < measures.size(); ++i)
