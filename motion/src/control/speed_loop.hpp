@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "stretches.hpp"
+#include "control/loop.hpp"
 
 #include <twum/motion/control.hpp>
 
@@ -9,39 +9,24 @@
 
 namespace twum::motion {
 
-/// An encoder, or an exact angle.
-class AngleSensor {
+/// A PI controller of the speed.
+class SpeedLoop final : public Loop {
  public:
-  explicit AngleSensor(const std::optional<double>& counts);
-  /// The angle in whole counts [rad].
-  double read(double angle) const;
-  /// Angle of a count [rad]; 0 if the angle is exact.
-  double count() const { return count_; }
+  SpeedLoop(const SpeedControl& control, const LoopGains& gains);
 
- private:
-  double count_{0};
-};
-
-/// The controller of a speed loop, sample by sample.
-class SpeedLoop {
- public:
-  /// @param angle, speed  at the beginning
-  SpeedLoop(const SpeedControl& control, const LoopGains& gains, double angle, double speed);
-
-  /// A measurement of the angle at a time; sets the output that holds until the next.
-  void sample(double time, double angle);
-  /// What the drive gets now [Hz or V].
-  double output() const { return output_; }
+  void begin(double angle, double speed) override;
+  void sample(double time, double angle) override;
+  std::vector<Stretch> applied(const Stretch& stretch) const override;
 
  private:
   double limited(double asked) const;
 
-  const SpeedControl* control_;
+  const SpeedControl& control_;
   LoopGains gains_;
   AngleSensor sensor_;
-  double last_angle_;
+  double last_angle_{0};
   double integral_, newest_, output_;
-  std::deque<double> waiting_{};  // outputs that the delay holds back
+  std::deque<double> waiting_;  // outputs that the delay holds back
 };
 
 }  // namespace twum::motion

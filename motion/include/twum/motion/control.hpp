@@ -34,6 +34,20 @@ struct SpeedControl {
   std::optional<LoopGains> gains{};    ///< without them those of (M8.1)
 };
 
+/// A sampled loop of the angle, which changes frequency and direction and switches the drive on and off.
+struct PositionControl {
+  Profile reference{};              ///< of theta_r [rad]
+  double sample_time{1e-3};         ///< T_s [s]
+  int delay{1};                     ///< whole samples from a measurement to its output
+  double encoder{4000};             ///< counts a turn
+  std::pair<double, double> range{};  ///< of the frequency [Hz]
+  std::optional<double> slew{};     ///< largest fall of the frequency over time [Hz/s]
+  /// Speed that is asked for over the way that is left [1/s]; without it 1 / (lambda + theta_d) as in (M8.1)
+  std::optional<double> gain{};
+  double window{2};                 ///< counts from the goal within which the drive stays off
+  double off_time{1.5e-3};          ///< with the drive off before phases are swapped [s]
+};
+
 /// The motor as a loop of its speed sees it at one operating point.
 struct LoopPlant {
   double output{0};         ///< of the loop: frequency [Hz] or voltage, rms [V]
@@ -64,11 +78,28 @@ LoopPlant loop_plant(const LinearPlant& plant, Actuator actuator);
 /// (M8.1) with lambda = 2 theta_d, theta_d = (delay + 1) T_s.
 LoopGains loop_gains(const LoopPlant& plant, double sample_time, int delay);
 
+/// A row of a gain schedule.
+struct ScheduleRow {
+  double output{0};                ///< frequency [Hz] or voltage, rms [V]
+  std::optional<LoopPlant> plant;  ///< none where the motor does not run
+  LoopGains gains{};               ///< of the plant
+};
+
+/// Plants and gains over outputs of a loop, under one load torque [N m].
+/// @throws InputError for a motor with a given amplitude or without rotor_inertia
+std::vector<ScheduleRow> gain_schedule(const MotorDesign& design, double load_torque,
+                                       Actuator actuator, const std::vector<double>& outputs,
+                                       double sample_time, int delay);
+
 /// Margins of a sampled loop: the linear plant with a held input is discretised exactly.
 LoopMargins loop_margins(const LinearPlant& plant, const SpeedControl& control, const LoopGains& gains);
 
 /// Checks a loop without a motion. @throws InputError as simulate()
+/// @{
 void require_control(const MotorDesign& design, const MotionTask& task, const SpeedControl& control);
+void require_control(const MotorDesign& design, const MotionTask& task,
+                     const PositionControl& control);
+/// @}
 
 /// Follows a motor whose frequency or voltage is set by a loop; the task's own profile of it is ignored. Gains and margins are those
 /// of the steady state at the largest reference, under the load torque that is there at that time.
@@ -76,5 +107,11 @@ void require_control(const MotorDesign& design, const MotionTask& task, const Sp
 ///         in one direction on all of its range; and if no output in the range gives the largest reference.
 ControlledMotion simulate(const MotorDesign& design, const MotionTask& task,
                           const SpeedControl& control);
+
+/// Follows a motor to angles. A motor that is far from the goal runs at the frequency that gives it the speed kp e without load, as
+/// far as friction can still brake it; nearer, where the range has no speed that is low enough, the drive is on for a part of each
+/// sample. With the averaged engine a motion ends as `swap-too-early` if off_time is too short for the wave to decay.
+/// @throws InputError as for a speed loop; oscillating: without rotor_mass
+Motion simulate(const MotorDesign& design, const MotionTask& task, const PositionControl& control);
 
 }  // namespace twum::motion
