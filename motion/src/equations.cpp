@@ -71,7 +71,7 @@ Equations::Electrical Equations::electrical(double time, std::span<const double>
   const double w = omega(time);
   const Complex zeta = zeta_of(y);
   const Complex u = stretch_.off ? model_->off_voltage(w) * zeta
-                                  : Complex{std::numbers::sqrt2 * stretch_.voltage.at(time), 0};
+                                 : Complex{std::numbers::sqrt2 * stretch_.voltage.at(time), 0};
   return {u, capacitive_admittance(time) * u + kI * w * model_->force_factor * zeta};  // (D4.1)
 }
 
@@ -164,7 +164,7 @@ void Equations::add_wave(const Entries& entry, double time, std::span<const doub
     const Complex dgrowth = -dstiffness / wave.divisor - wave.growth * dfree / wave.rates;
     const Complex ddrive = -wave.drive * dfree / wave.rates;
     const Complex d = stretch_.off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
-                                    : ddrive + wave.growth * dzeta + dgrowth * zeta;
+                                   : ddrive + wave.growth * dzeta + dgrowth * zeta;
     entry(kReal, in) = d.real(), entry(kImaginary, in) = d.imag();
     if (stretch_.off) entry(kTurn, in) = dgrowth.imag();
   };

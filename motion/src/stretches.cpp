@@ -52,8 +52,7 @@ void add_times(std::vector<double>& times, const std::vector<Interval>& interval
 std::vector<double> kinks(const MotionTask& task) {
   std::vector<double> times{0, task.duration};
   for (const Profile* profile :
-       {&task.voltage, &task.amplitude, &task.frequency, &task.load_torque,
-                                 &task.phase_difference})
+       {&task.voltage, &task.amplitude, &task.frequency, &task.load_torque, &task.phase_difference})
     add_times(times, *profile);
   add_times(times, task.switched_off), add_times(times, task.reversed);
   std::ranges::sort(times);
@@ -110,8 +109,8 @@ std::vector<Stretch> stretches_of(const MotionTask& task, bool driven,
     const double a = times[i], b = times[i + 1];
     stretches.push_back({a, b, ramp(task.voltage, a, b), ramp(task.amplitude, a, b),
                          ramp(task.frequency, a, b), ramp(task.load_torque, a, b),
-                         ramp(task.phase_difference, a, b),
-                         covers(task.switched_off, a), covers(task.reversed, a) ? -1.0 : 1.0});
+                         ramp(task.phase_difference, a, b), covers(task.switched_off, a),
+                         covers(task.reversed, a) ? -1.0 : 1.0});
   }
   return stretches;
 }

@@ -101,7 +101,8 @@ TEST_CASE("the gains are those of K and tau at the largest reference (M8.1)",
   CHECK(m.plant.gain == Approx(-6.6e-3).epsilon(0.01));  // to the digits given
   // lambda + theta_d = 6 ms
   CHECK(m.gains.integral == Approx(1 / (m.plant.gain * 6e-3)).epsilon(1e-12));
-  CHECK(m.gains.proportional == Approx(m.plant.time_constant / (m.plant.gain * 6e-3)).epsilon(1e-12));
+  CHECK(m.gains.proportional ==
+        Approx(m.plant.time_constant / (m.plant.gain * 6e-3)).epsilon(1e-12));
 }
 
 // A loop of a linear plant in small steps of time, without a transform: x' = A x + B u, PI, delay, difference of angles. True if a
@@ -134,7 +135,8 @@ bool is_stable(const LinearPlant& plant, const SpeedControl& c, LoopGains gains,
   return late < early;
 }
 
-TEST_CASE("a gain margin is the factor that makes the loop unstable", "[motion][control][identity]") {
+TEST_CASE("a gain margin is the factor that makes the loop unstable",
+          "[motion][control][identity]") {
   for (const double inertia : {1e-4, 1e-3}) {
     for (const int delay : {0, 1, 3}) {
       CAPTURE(inertia, delay);
@@ -155,7 +157,8 @@ TEST_CASE("a gain margin is the factor that makes the loop unstable", "[motion][
   }
 }
 
-TEST_CASE("a pure integrator in the loop has margins in closed form", "[motion][control][closed-form]") {
+TEST_CASE("a pure integrator in the loop has margins in closed form",
+          "[motion][control][closed-form]") {
   // The fast motor at slow sampling is a static gain K: L(z) = k z^-delay (1 + 1/z) / 2 ... z / (z - 1) of the integral alone.
   const LinearPlant plant = linearize(elastic_60(1e-6, 140, 41.2e3), 0);
   SpeedControl control;
@@ -168,7 +171,8 @@ TEST_CASE("a pure integrator in the loop has margins in closed form", "[motion][
   const double crossover = 2 * std::asin(0.1);
   // Transients of the wave, 1 ms of a sample of 100 ms.
   CHECK(margins.gain == Approx(5).epsilon(0.02));
-  CHECK(2 * std::numbers::pi * margins.crossover * control.sample_time == Approx(crossover).epsilon(0.01));
+  CHECK(2 * std::numbers::pi * margins.crossover * control.sample_time ==
+        Approx(crossover).epsilon(0.01));
   CHECK(margins.phase == Approx(std::numbers::pi / 2 - 1.5 * crossover).epsilon(0.02));
 }
 
@@ -206,6 +210,77 @@ TEST_CASE("a loop of the voltage holds a speed, too", "[motion][control]") {
   CHECK(m.motion.last.voltage == Approx(m.plant.output).epsilon(1e-4));
 }
 
+// 2.5 counts of 4000: within them the loop rests, whatever the rounding of the encoder.
+constexpr double kNear = 2.5 * 2 * std::numbers::pi / 4000;
+
+TEST_CASE("a loop of the position takes time and energy of another program's (M8.2)",
+          "[motion][control][reference]") {
+  struct Row {
+    double gain, time, energy;  // [1/s, ms, J]
+  };
+  // Both engines, and one with a rotor of 100 g: 55 ms and 0.26 J; 38 to 44 ms and 0.31 J.
+  for (const Row& row : {Row{60, 55, 0.26}, Row{150, 40, 0.31}}) {
+    for (const double mass : {-1.0, 0.0, 0.1}) {
+      CAPTURE(row.gain, mass);
+      MotorDesign d = elastic_60(1e-4);
+      MotionTask task = steady_drive(d, 0.1);
+      if (mass >= 0) {
+        d.rotor.mass = mass, d.rotor.axial_damping = 1000;
+        task.engine = MotionEngine::oscillating;
+      }
+      task.output_times = times_to(0.1, 2000);
+      PositionControl control;
+      control.reference = 0.5, control.gain = row.gain;
+      control.range = {40.2e3, 43.6e3}, control.slew = 2e5;
+      const Motion m = simulate(d, task, control);
+      REQUIRE(m.status == "ok");
+      double settled = 0, largest = 0;
+      for (const MotionSample& s : m.samples) {
+        if (std::abs(s.angle - 0.5) > kNear) settled = 1e3 * s.time;
+        largest = std::max(largest, s.angle - 0.5);
+      }
+      CHECK(settled == Approx(row.time).epsilon(0.15));
+      CHECK(m.last.energy == Approx(row.energy).epsilon(0.15));
+      CHECK(largest < kNear);
+      CHECK(m.last.off);
+    }
+  }
+}
+
+TEST_CASE("a loop of the position reverses, and coasts past its goal with a heavy load",
+          "[motion][control]") {
+  MotorDesign d = elastic_60(1e-4);
+  MotionTask task = steady_drive(d, 0.2);
+  PositionControl control;
+  control.reference = Profile({{0, 0.3}, {0.1, 0.3}, {0.1, 0.1}});
+  control.gain = 60, control.range = {40.2e3, 43.6e3}, control.slew = 2e5;
+  task.output_times = times_to(0.2, 2000);
+  const Motion m = simulate(d, task, control);
+  REQUIRE(m.status == "ok");
+  CHECK(count_of(m, MotionEventKind::swapped) > 0);
+  CHECK(m.samples[990].angle == Approx(0.3).margin(kNear));
+  CHECK(m.last.angle == Approx(0.1).margin(kNear));
+  // With ten times the inertia it counts on more friction than it has while it coasts: 14 to 26 mrad beyond the goal.
+  d = elastic_60(1e-3);
+  d.rotor.mass = 0, task.engine = MotionEngine::oscillating;
+  control.reference = 0.5;
+  const Motion heavy = simulate(d, task, control);
+  double largest = 0;
+  for (const MotionSample& s : heavy.samples) largest = std::max(largest, s.angle - 0.5);
+  CHECK(largest > 0.012);
+  CHECK(largest < 0.03);
+}
+
+TEST_CASE("a gain schedule has the plant of each frequency", "[motion][control][reference]") {
+  const auto rows =
+      gain_schedule(elastic_60(1e-4), 0, Actuator::frequency, {40.2e3, 42e3}, 1e-3, 1);
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].plant->gain == Approx(-21.8e-3).epsilon(0.003));  // to the digits given
+  CHECK(rows[1].plant->gain == Approx(-3.5e-3).epsilon(0.015));
+  const auto none = gain_schedule(elastic_60(1e-4, 20), 0, Actuator::frequency, {44e3}, 1e-3, 1);
+  CHECK_FALSE(none[0].plant.has_value());
+}
+
 TEST_CASE("a loop that is not admissible says what would be right", "[motion][control][input]") {
   using Catch::Contains;
   const MotorDesign motor = elastic_60(1e-4);
@@ -228,8 +303,28 @@ TEST_CASE("a loop that is not admissible says what would be right", "[motion][co
   refused([](SpeedControl& c) { c.reference = -3.0; }, "0 or more");
   refused([](SpeedControl& c) { c.reference = 0.0; }, "must not be 0");
   refused([](SpeedControl& c) { c.reference = 60.0; }, "no output within");
-  refused([](SpeedControl& c) { c.range = {38.5e3, 44.5e3}; }, "narrower range");  // below the resonance
+  refused(
+      [](SpeedControl& c) {
+        c.range = {38.5e3, 44.5e3};
+      },
+      "narrower range");  // below the resonance
   refused([](SpeedControl& c) { c.gains = LoopGains{12, 25000}; }, "must be negative");
+  PositionControl position;
+  position.reference = 0.5, position.range = {40.2e3, 43.6e3};
+  const auto position_refused = [&](auto change, const char* words) {
+    PositionControl c = position;
+    MotionTask t = task;
+    change(c, t);
+    CHECK_THROWS_WITH(require_control(motor, t, c), Contains(words));
+  };
+  CHECK_NOTHROW(require_control(motor, task, position));
+  position_refused([](PositionControl& c, MotionTask&) { c.encoder = 0; }, "encoder");
+  position_refused([](PositionControl& c, MotionTask&) { c.gain = -1; }, "gain");
+  position_refused([](PositionControl& c, MotionTask&) { c.window = 0; }, "window");
+  position_refused([](PositionControl& c, MotionTask&) { c.off_time = -1; }, "off_time");
+  position_refused([](PositionControl& c, MotionTask&) { c.slew = -1; }, "slew");
+  position_refused([](PositionControl&, MotionTask& t) { t.engine = MotionEngine::oscillating; },
+                   "rotor_mass");
 }
 
 }  // namespace

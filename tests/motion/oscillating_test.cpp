@@ -32,7 +32,7 @@ Profile with_added(const Profile& profile, double more) {
   return Profile(rows);
 }
 
-TEST_CASE("oscillating motions follow another program within four times its own error",
+TEST_CASE("oscillating motions follow another program within four times its error (M9.3, M9.4)",
           "[motion][oscillating][reference]") {
   std::map<std::string, std::vector<CsvRow>> motions;
   for (const CsvRow& row : csv_rows("motion/direct.csv"))
@@ -148,9 +148,9 @@ TEST_CASE("the phase difference changes the speed as another program found",
   };
   // To the digits given; the standing wave of a light rotor is unstable, and either wave may win.
   for (const Row& row :
-       {Row{0, -30, 14.82}, Row{0, -75, 9.37}, Row{0, -85, 7.26}, Row{0, -90, 5.9}, Row{0, -120, -11.73},
-        Row{0.1, -30, 5.82}, Row{0.1, -60, 2.92}, Row{0.1, -75, 1.47}, Row{0.1, -85, 0.49},
-        Row{0.1, -90, 0}, Row{0.1, -180, -16.04}}) {
+       {Row{0, -30, 14.82}, Row{0, -75, 9.37}, Row{0, -85, 7.26}, Row{0, -90, 5.9},
+        Row{0, -120, -11.73}, Row{0.1, -30, 5.82}, Row{0.1, -60, 2.92}, Row{0.1, -75, 1.47},
+        Row{0.1, -85, 0.49}, Row{0.1, -90, 0}, Row{0.1, -180, -16.04}}) {
     CAPTURE(row.mass, row.eps);
     MotorDesign d = elastic_60(1e-4);
     d.rotor.mass = row.mass, d.rotor.axial_damping = 1000;
@@ -216,7 +216,7 @@ TEST_CASE("a backward wave grows at the rate of the core's linear theory (D6.7)"
   }
 }
 
-TEST_CASE("an undamped rotor hops near no-load, and damping keeps it down",
+TEST_CASE("an undamped rotor hops near no-load, and damping keeps it down (M9.2)",
           "[motion][oscillating]") {
   // It takes 2 m_r times the growth rate of 1270 / s: 254 N s/m.
   for (const double damping : {0.0, 300.0}) {
@@ -241,7 +241,8 @@ TEST_CASE("a small wave and a load hold the rotor, which the oscillating engine 
   const Motion rest = simulate(d, task);
   CHECK(rest.last.held);
   CHECK(rest.events.empty());
-  CHECK(std::abs(rest.last.angle) < 1e-5);  // the twist of the layer, 3.3 urad per N m, twice while it rings
+  CHECK(std::abs(rest.last.angle) <
+        1e-5);  // the twist of the layer, 3.3 urad per N m, twice while it rings
   task = oscillating(elastic_60(1e-4), 0.03);
   task.initial.steady = true;
   task.switched_off = {{0, 0.03}};
@@ -266,12 +267,13 @@ TEST_CASE("resistors stop an oscillating motor as another program's circuit does
     const Motion m = simulate(d, task);
     // 0.2 % of the speed and of the wave at these steps, and the digits given. The capacitance of a phase keeps the drive's voltage
     // for R_off C_0, 17 us with 2 kohm; that turns the rotor by 0.2 mrad, about which the table says nothing.
-    CHECK(1e3 * m.last.angle == Approx(stop.angle).margin(5e-3 * stop.angle +
-                                                          (stop.resistance > 1000 ? 0.25 : 0.0)));
+    CHECK(1e3 * m.last.angle ==
+          Approx(stop.angle).margin(5e-3 * stop.angle + (stop.resistance > 1000 ? 0.25 : 0.0)));
   }
 }
 
-TEST_CASE("what the oscillating engine does not compute is refused", "[motion][oscillating][input]") {
+TEST_CASE("what the oscillating engine does not compute is refused",
+          "[motion][oscillating][input]") {
   using Catch::Contains;
   const MotorDesign motor = elastic_60(1e-4);
   const MotionTask task = oscillating(motor, 0.001);
@@ -294,11 +296,9 @@ TEST_CASE("what the oscillating engine does not compute is refused", "[motion][o
         d.rotor.mass = 0, t.phase_difference = 1.0, t.initial.steady = true;
       },
       "steady beginning");
-  refused(
-      [](MotorDesign&, MotionTask& t) {
-        t.engine = MotionEngine::averaged, t.phase_difference = 1.0;
-      },
-      "one wave");
+  refused([](MotorDesign&,
+             MotionTask& t) { t.engine = MotionEngine::averaged, t.phase_difference = 1.0; },
+          "one wave");
 }
 
 TEST_CASE("an oscillating motion stops where it is told to", "[motion][oscillating][input]") {

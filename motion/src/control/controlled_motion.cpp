@@ -89,7 +89,8 @@ class SpeedMap {
   // With all friction of the load; NaN where the motor does not run.
   double speed(double output) const {
     try {
-      return loop_plant(linearize(with(design_, parameter_of(actuator_), output), torque_), actuator_)
+      return loop_plant(linearize(with(design_, parameter_of(actuator_), output), torque_),
+                        actuator_)
           .speed;
     } catch (const InputError&) {
       return std::nan("");
@@ -139,11 +140,13 @@ LinearPlant plant_of(const MotorDesign& design, const MotionTask& task, const Sp
 
 void require_sign(const LoopGains& gains, const LoopPlant& plant) {
   if (gains.proportional * plant.gain >= 0 && gains.integral * plant.gain > 0) return;
-  throw InputError(plant.gain < 0 ? "gains of a loop must be negative where the speed falls with its output"
-                                  : "gains of a loop must be positive where the speed rises with its output");
+  throw InputError(plant.gain < 0
+                       ? "gains of a loop must be negative where the speed falls with its output"
+                       : "gains of a loop must be positive where the speed rises with its output");
 }
 
-ControlledMotion prepared(const MotorDesign& design, const MotionTask& task, const SpeedControl& c) {
+ControlledMotion prepared(const MotorDesign& design, const MotionTask& task,
+                          const SpeedControl& c) {
   require_loop(task, c);
   const LinearPlant plant = plant_of(design, task, c);
   ControlledMotion motion;
@@ -206,7 +209,8 @@ struct PreparedPosition {
 
 }  // namespace
 
-void require_control(const MotorDesign& design, const MotionTask& task, const SpeedControl& control) {
+void require_control(const MotorDesign& design, const MotionTask& task,
+                     const SpeedControl& control) {
   prepared(design, task, control);
   require_motion(design, with_start(task, control));
 }
@@ -242,15 +246,14 @@ std::vector<ScheduleRow> gain_schedule(const MotorDesign& design, double load_to
                                        double sample_time, int delay) {
   if (!design.stator.voltage)
     throw InputError("a gain schedule needs a motor under a voltage; give stator.voltage");
-  if (!design.rotor.inertia)
-    throw InputError("rotor_inertia is missing; a gain schedule needs it");
+  if (!design.rotor.inertia) throw InputError("rotor_inertia is missing; a gain schedule needs it");
   require_samples({.duration = sample_time}, sample_time, delay);
   std::vector<ScheduleRow> rows;
   for (const double output : outputs) {
     rows.emplace_back().output = output;
     try {
-      rows.back().plant =
-          loop_plant(linearize(with(design, parameter_of(actuator), output), load_torque), actuator);
+      rows.back().plant = loop_plant(
+          linearize(with(design, parameter_of(actuator), output), load_torque), actuator);
       rows.back().gains = loop_gains(*rows.back().plant, sample_time, delay);
     } catch (const InputError&) {  // the motor does not run there
     }

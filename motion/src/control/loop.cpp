@@ -11,7 +11,7 @@ AngleSensor::AngleSensor(const std::optional<double>& counts) {
 }
 
 double AngleSensor::read(double angle) const {
-  return count_ > 0 ? count_ * std::floor(angle / count_) : angle;
+  return count_ > 0 ? count_ * std::round(angle / count_) : angle;
 }
 
 }  // namespace twum::motion

@@ -28,7 +28,7 @@ class Loop {
 class AngleSensor {
  public:
   explicit AngleSensor(const std::optional<double>& counts);
-  /// The angle in whole counts [rad].
+  /// The angle to the nearest count [rad].
   double read(double angle) const;
   /// Angle of a count [rad]; 0 if the angle is exact.
   double count() const { return count_; }

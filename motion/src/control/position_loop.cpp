@@ -46,7 +46,7 @@ PositionLoop::Drive PositionLoop::asked(double time, double error, double speed)
     saved_share_ = 0;
     return off();
   }
-  // w = kp e, and no more than it can brake: sqrt(2 beta alpha |e|)
+  // w = kp e, and no more than it can brake, sqrt(2 beta alpha |e|)  (M8.2)
   const double most = std::sqrt(2 * kBrakeShare * deceleration_ * std::abs(error));
   const double wanted = std::clamp(*control_.gain * error, -most, most);
   const double direction = wanted < 0 ? -1 : 1;

@@ -30,9 +30,7 @@ void put(std::vector<double>& numbers, std::size_t at, const Pair& pair) {
 Pair both(double value) { return Pair{value, value}; }
 Pair larger(const Pair& a, const Pair& b) { return a > b ? a : b; }
 Pair smaller(const Pair& a, const Pair& b) { return a < b ? a : b; }
-Pair within(const Pair& value, const Pair& limit) {
-  return smaller(larger(value, -limit), limit);
-}
+Pair within(const Pair& value, const Pair& limit) { return smaller(larger(value, -limit), limit); }
 
 // The share of a step in which a point is in contact that comes into it. It alone divides the error of a step by four.
 Pair share_in_contact(const Pair& before, const Pair& after) {
@@ -64,7 +62,9 @@ class PointsSums {
   }
 
   PointsMeans means(std::size_t count) const {
-    const auto mean = [=](const Pair& sum) { return (sum[0] + sum[1]) / static_cast<double>(count); };
+    const auto mean = [=](const Pair& sum) {
+      return (sum[0] + sum[1]) / static_cast<double>(count);
+    };
     return {mean(p_),  mean(pc_), mean(ps_),   mean(t_),
             mean(tc_), mean(ts_), mean(work_), std::min(margin_[0], margin_[1])};
   }

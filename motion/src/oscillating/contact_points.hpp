@@ -44,7 +44,7 @@ struct PointsMeans {
   double stick_margin{0};
 };
 
-/// Points of the rotor's face within a wavelength, with the layer's shear at each of them.
+/// Points of the rotor's face within a wavelength, with the layer's shear at each of them (M9.1).
 class ContactPoints {
  public:
   /// Of a relaxed layer under the preload.

@@ -8,14 +8,20 @@
 namespace twum::motion {
 namespace {
 
-constexpr double MotionSample::*kEven[] = {
-    &MotionSample::voltage,          &MotionSample::frequency,
-    &MotionSample::load_torque,      &MotionSample::amplitude,
-    &MotionSample::speed,            &MotionSample::backward_amplitude,
-    &MotionSample::phase_difference, &MotionSample::angle,
-    &MotionSample::torque,           &MotionSample::stator_power,
-    &MotionSample::friction_power,   &MotionSample::electrical_power,
-    &MotionSample::phase_current,    &MotionSample::energy};
+constexpr double MotionSample::*kEven[] = {&MotionSample::voltage,
+                                           &MotionSample::frequency,
+                                           &MotionSample::load_torque,
+                                           &MotionSample::amplitude,
+                                           &MotionSample::speed,
+                                           &MotionSample::backward_amplitude,
+                                           &MotionSample::phase_difference,
+                                           &MotionSample::angle,
+                                           &MotionSample::torque,
+                                           &MotionSample::stator_power,
+                                           &MotionSample::friction_power,
+                                           &MotionSample::electrical_power,
+                                           &MotionSample::phase_current,
+                                           &MotionSample::energy};
 
 }  // namespace
 
@@ -48,8 +54,7 @@ MotionSample between(const MotionSample& earlier, const MotionSample& later, dou
   MotionSample sample = earlier;
   const double span = later.time - earlier.time;
   const double share = span > 0 ? (time - earlier.time) / span : 0;
-  for (const auto member : kEven)
-    sample.*member = std::lerp(earlier.*member, later.*member, share);
+  for (const auto member : kEven) sample.*member = std::lerp(earlier.*member, later.*member, share);
   // An angle takes the shorter way.
   const double turn = std::remainder(later.phase_lag - earlier.phase_lag, 2 * std::numbers::pi);
   sample.phase_lag = std::remainder(earlier.phase_lag + share * turn, 2 * std::numbers::pi);

@@ -26,8 +26,7 @@ class Period {
   Period(double time, const WavesState& state, double energy)
       : begin_(time), angle_(state.angle), energy_(energy) {}
 
-  /// The state after a step. With zeta of van der Pol, w = Re zeta e^(i psi) and w' = Re i omega zeta e^(i psi), both waves part at
-  /// every instant.
+  /// The state after a step. Displacements and velocities together part both waves at every instant (M9.4).
   void add(const WavesState& state, double phase, double omega);
 
   /// Means over the period: zeta of both waves, and the phasors of the voltages.

@@ -19,12 +19,13 @@ class PeriodWatch {
 
  private:
   void watch_rest(const MotionSample& here, std::vector<MotionEvent>& found);
-  void watch_wave(const MotionSample& before, const MotionSample& here, std::vector<MotionEvent>& found);
+  void watch_wave(const MotionSample& before, const MotionSample& here,
+                  std::vector<MotionEvent>& found);
 
   const MotionModel* model_;
   bool held_;
-  double side_{0};      // sign of the speed since it was last no mere creep
-  double largest_{0};   // amplitude since the release
+  double side_{0};     // sign of the speed since it was last no mere creep
+  double largest_{0};  // amplitude since the release
   bool overruns_{false};
 };
 

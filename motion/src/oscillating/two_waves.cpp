@@ -22,7 +22,8 @@ TwoWaves::TwoWaves(const MotorDesign& design, const MotionModel& model, int poin
                    model.loss_tangent),
       pressure_(law_.pressure) {
   const double splitting = design.stator.imbalance.value_or(Imbalance{}).mode_splitting;
-  stiffness_ = {model.stiffness_of_wave * (1 + splitting), model.stiffness_of_wave * (1 - splitting)};
+  stiffness_ = {model.stiffness_of_wave * (1 + splitting),
+                model.stiffness_of_wave * (1 - splitting)};
   state_.height = -law_.pressure / law_.stiffness;
 }
 
@@ -46,9 +47,8 @@ TwoWaves::Drift TwoWaves::drift_of(double stiffness) const {
   const double decay = model_->damping / (2 * model_->mass), square = stiffness / model_->mass;
   const Complex rate = std::sqrt(Complex{decay * decay - square, 0});
   const double cosine = std::cosh(rate * duration_).real();
-  const double sine = std::abs(rate) * duration_ > 1e-9
-                          ? (std::sinh(rate * duration_) / rate).real()
-                          : duration_;
+  const double sine =
+      std::abs(rate) * duration_ > 1e-9 ? (std::sinh(rate * duration_) / rate).real() : duration_;
   const double left = std::exp(-decay * duration_);
   return {left * (cosine + decay * sine), left * sine, -left * square * sine,
           left * (cosine - decay * sine)};
@@ -74,11 +74,12 @@ void TwoWaves::kick(const ActingNow& acting) {
   work_.impulse += half * torque_;
   const double per_torque = half / model_->inertia;
   const double load = acting.load_torque + model_->spring(state_.angle);
-  const double free = (state_.speed + per_torque * (torque_ - load)) /
-                      (1 + per_torque * model_->load_damping);
+  const double free =
+      (state_.speed + per_torque * (torque_ - load)) / (1 + per_torque * model_->load_damping);
   const double friction = per_torque * model_->load_friction;  // it stops the rotor at most
   state_.speed = free - std::clamp(free, -friction, friction);
   if (is_light()) return;
+  // m_r z'' = 2 pi r b <p> - F_N - d_z z'  (M9.2)
   const double per_force = half / rotor_mass_;
   state_.rise = (state_.rise + per_force * area_ * (pressure_ - law_.pressure)) /
                 (1 + per_force * axial_damping_);
@@ -109,7 +110,7 @@ void TwoWaves::drift(const ActingNow& acting) {
   move_contact(way, duration_);
 }
 
-// Seen from the rotor, xi = kappa x + n theta_r.
+// Face and sliding of the stator (M9.1), seen from the rotor: xi = kappa x + n theta_r.
 void TwoWaves::move_contact(const Two& way, double duration) {
   const double turn = wavelengths_ * state_.angle, c = std::cos(turn), s = std::sin(turn);
   const auto& [wc, ws] = state_.displacement;
@@ -122,7 +123,7 @@ void TwoWaves::move_contact(const Two& way, double duration) {
                         duration};
   if (is_light()) state_.height = points_.balanced_height(move, state_.height);
   const PointsMeans at = points_.step(move, state_.height);
-  // Q = -2 pi r b <(p + i a kappa tau) e^(i kappa x)>
+  // Q_c + i Q_s = -2 pi r b <(p + i a kappa tau) e^(i kappa x)>,  T = 2 pi r^2 b <tau>  (M9.3)
   const Complex mean{at.pressure_cos - surface_ * at.traction_sin,
                      at.pressure_sin + surface_ * at.traction_cos};
   const Complex force = -area_ * mean * Complex{c, -s};
@@ -137,8 +138,9 @@ WavesWork TwoWaves::take_work() { return std::exchange(work_, WavesWork{}); }
 
 // A kicked oscillator of the rate w is stable for w dt < 2; at half of that its rate is right to 4 %.
 double TwoWaves::longest_step() const {
-  const double along = area_ * law_.stiffness;                                    // 2 pi r b E / h
-  const double around = area_ * radius_ * radius_ * law_.shear / law_.thickness;  // 2 pi r^3 b G / h
+  const double along = area_ * law_.stiffness;  // 2 pi r b E / h
+  const double around =
+      area_ * radius_ * radius_ * law_.shear / law_.thickness;  // 2 pi r^3 b G / h
   double square = std::max(along / (2 * model_->mass), around / model_->inertia);
   if (!is_light()) square = std::max(square, along / rotor_mass_);
   return 1 / std::sqrt(square);

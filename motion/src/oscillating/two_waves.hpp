@@ -28,10 +28,10 @@ struct WavesState {
 
 /// Work since the last time it was taken [J].
 struct WavesWork {
-  double drive{0};     ///< electrical, into both phases
-  double contact{0};   ///< from the stator to the layer
-  double friction{0};  ///< lost by slip
-  double impulse{0};   ///< of the contact's torque on the rotor [N m s]
+  double drive{0};             ///< electrical, into both phases
+  double contact{0};           ///< from the stator to the layer
+  double friction{0};          ///< lost by slip
+  double impulse{0};           ///< of the contact's torque on the rotor [N m s]
   double stick_margin{1e300};  ///< the smallest of PointsMeans [Pa]
 };
 
@@ -75,15 +75,15 @@ class TwoWaves {
   const MotionModel* model_;
   LayerLaw law_;
   ContactPoints points_;
-  double wavelengths_, radius_, surface_;   // n, r, a kappa
-  double area_;                             // 2 pi r b
-  double rotor_mass_, axial_damping_;       // m_r, d_z
-  Two stiffness_;                           // of the modes
-  double conductance_;                      // of the loss of a phase, omega C_0 tan delta
+  double wavelengths_, radius_, surface_;  // n, r, a kappa
+  double area_;                            // 2 pi r b
+  double rotor_mass_, axial_damping_;      // m_r, d_z
+  Two stiffness_;                          // of the modes
+  double conductance_;                     // of the loss of a phase, omega C_0 tan delta
   WavesState state_{};
-  Two force_{};        // of the contact on the modes
-  double torque_{0};   // on the rotor
-  double pressure_;    // mean
+  Two force_{};       // of the contact on the modes
+  double torque_{0};  // on the rotor
+  double pressure_;   // mean
   double duration_{0};
   std::array<Drift, 2> drifts_{};
   WavesWork work_{};

@@ -101,6 +101,7 @@ class MotionCheck {
 
   bool mixes_waves() const {
     if (!study_.drive.reversed.empty()) return true;
+    if (study_.control && study_.control->kind == MotionControl::Kind::position) return true;
     if (!study_.drive.phase_difference) return false;
     return std::ranges::any_of(
         study_.drive.phase_difference->rows(),
@@ -118,7 +119,7 @@ class MotionCheck {
       say(by_voltage ? "drive.voltage" : "drive.frequency", "a value for what control changes",
           "leave it out, or leave out control");
     if (!study_.drive.reversed.empty())
-      say("drive.reversed", "phases that are swapped under a loop of the speed",
+      say("drive.reversed", "phases that are swapped under a loop",
           "leave it out, or leave out control");
     if (control.range.empty() && (by_voltage || !motor_.stator.frequency_range))
       say("control", "no range of its output",
@@ -150,7 +151,8 @@ class MotionCheck {
       say("accuracy", "an accuracy for the averaged engine, which has none",
           "leave it out, or write 'engine: oscillating'");
     if (study_.drive.phase_difference)
-      say("drive.phase_difference", "a phase difference for the averaged engine, which has one wave",
+      say("drive.phase_difference",
+          "a phase difference for the averaged engine, which has one wave",
           "write 'engine: oscillating'");
   }
 
@@ -202,7 +204,9 @@ class MotionCheck {
     const MotorDesign motor = motion_motor(study_, motor_);
     try {
       const motion::MotionTask task = motion_task(study_, motor);
-      if (study_.control)
+      if (study_.control && study_.control->kind == MotionControl::Kind::position)
+        motion::require_control(motor, task, position_control(*study_.control, motor));
+      else if (study_.control)
         motion::require_control(motor, task, speed_control(*study_.control, motor));
       else
         motion::require_motion(motor, task);

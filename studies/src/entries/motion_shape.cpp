@@ -148,6 +148,35 @@ Shape<std::optional<MotionControl::Gains>> gains_shape() {
   return shape;
 }
 
+Shape<MotionControl> position_shape(const Shape<std::vector<LoopValue>>& range) {
+  using C = MotionControl;
+  C fresh;
+  fresh.kind = C::Kind::position, fresh.encoder = 4000;
+  return mapping<C>(
+      "a sampled loop of the angle, with bursts near the goal",
+      {selector<C>("kind", "what is controlled", "position"),
+       required<C>("reference", profile("the angle that is asked for", "rad", "0.5 rad"),
+                   &C::reference),
+       standard<C>("sample_time", quantity("time between samples", "s", "1 ms"), &C::sample_time),
+       standard<C>("delay", count("whole samples from a measurement to its output", "1", 0, 100),
+                   &C::delay),
+       standard<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder),
+       optional<C>("range", range, &C::range, "the motor's frequency_range"),
+       hidden(optional<C>(
+           "slew",
+           loop_value("largest fall of the frequency over time", "Hz/s", "V/s", "200 kHz/s"),
+           &C::slew, "any")),
+       optional<C>("gain", quantity("speed over the way that is left", "1/s", "150 1/s"), &C::gain,
+                   "1 over three times the dead time"),
+       standard<C>("window",
+                   count("counts from the goal within which the drive stays off", "2", 1, 1e6),
+                   &C::window),
+       standard<C>("off_time",
+                   quantity("with the drive off before phases are swapped", "s", "1.5 ms"),
+                   &C::off_time)},
+      {}, fresh);
+}
+
 Shape<MotionControl> control_shape() {
   using C = MotionControl;
   auto range = list("least and largest output",
@@ -175,8 +204,10 @@ Shape<MotionControl> control_shape() {
                           loop_value("largest change over time", "Hz/s", "V/s", "400 kHz/s"),
                           &C::slew, "any")),
        standard<C>("gains", gains_shape(), &C::gains)});
-  return one_of<C>("a loop in place of a given frequency or voltage", {speed},
-                   [](const C&) { return std::size_t{0}; }, "kind", {"speed"});
+  return one_of<C>("a loop in place of a given frequency or voltage",
+                   {speed, position_shape(range)},
+                   [](const C& control) { return static_cast<std::size_t>(control.kind); }, "kind",
+                   {"speed", "position"});
 }
 
 bool has_duration(MotionStudy& study, const Given& given, Diagnostics& diagnostics) {

@@ -35,6 +35,7 @@ std::vector<double> motion_times(const MotionStudy& asked) {
 }
 
 motion::Actuator MotionControl::actuator_of(const MotorDesign& motor) const {
+  if (kind == Kind::position) return motion::Actuator::frequency;
   const bool by_voltage = motor.stator.control == DriveControl::voltage;
   return actuator.value_or(by_voltage ? motion::Actuator::voltage : motion::Actuator::frequency);
 }
@@ -49,13 +50,25 @@ motion::SpeedControl speed_control(const MotionControl& asked, const MotorDesign
   if (asked.range.size() == 2)
     control.range = {asked.range[0].value, asked.range[1].value};
   else
-    control.range = by_voltage ? std::pair{kNoValue, kNoValue}
-                               : motor.stator.frequency_range.value_or(std::pair{kNoValue, kNoValue});
+    control.range = by_voltage
+                        ? std::pair{kNoValue, kNoValue}
+                        : motor.stator.frequency_range.value_or(std::pair{kNoValue, kNoValue});
   const auto [least, most] = control.range;
   control.start = by_voltage ? asked.start_voltage.value_or(motor.stator.voltage.value_or(kNoValue))
                              : asked.start_frequency.value_or(most);
   if (asked.slew) control.slew = asked.slew->value;
   if (asked.gains) control.gains = motion::LoopGains{asked.gains->kp.value, asked.gains->ki.value};
+  return control;
+}
+
+motion::PositionControl position_control(const MotionControl& asked, const MotorDesign& motor) {
+  const motion::SpeedControl common = speed_control(asked, motor);
+  motion::PositionControl control;
+  control.reference = asked.reference, control.sample_time = asked.sample_time;
+  control.delay = common.delay, control.range = common.range, control.slew = common.slew;
+  if (common.encoder) control.encoder = *common.encoder;
+  control.gain = asked.gain, control.window = static_cast<double>(asked.window);
+  control.off_time = asked.off_time;
   return control;
 }
 

@@ -141,12 +141,12 @@ Phrase step_error_remark(const MotionResult& answer, const MovedMotor& motor) {
   Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
   if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
   const MotionResult::StepError& error = *motor.step_error;
-  append(phrase, {answer.family ? " errors of points and steps: speed "
-                                : "Errors of points and steps: speed ",
-                  value_part(error.speed, "rad/s", 2), ", angle ",
-                  value_part(error.angle, "rad", 2), ", amplitude ",
-                  value_part(error.amplitude, "m", 2),
-                  ". These are the largest differences over time from a motion with half as many."});
+  append(
+      phrase,
+      {answer.family ? " errors of points and steps: speed " : "Errors of points and steps: speed ",
+       value_part(error.speed, "rad/s", 2), ", angle ", value_part(error.angle, "rad", 2),
+       ", amplitude ", value_part(error.amplitude, "m", 2),
+       ". These are the largest differences over time from a motion with half as many."});
   return phrase;
 }
 
@@ -165,7 +165,7 @@ Section courses(const MotionResult& answer) {
 
 }  // namespace
 
-constexpr double kLeastGainMargin = 2;                         // 6 dB
+constexpr double kLeastGainMargin = 2;                      // 6 dB
 constexpr double kLeastPhaseMargin = std::numbers::pi / 4;  // 45 degrees
 
 std::string decibels(double factor) {
@@ -180,7 +180,13 @@ std::string degrees(double angle) {
 Section loops(const MotionResult& answer) {
   Section section{{"The loop"}, {}};
   Table table{"loop",
-              {{"motor"}, {"kp"}, {"ki"}, {"output"}, {"speed"}, {"gain margin"}, {"phase margin"},
+              {{"motor"},
+               {"kp"},
+               {"ki"},
+               {"output"},
+               {"speed"},
+               {"gain margin"},
+               {"phase margin"},
                {"crossover"}},
               {}};
   table.keys = 1;

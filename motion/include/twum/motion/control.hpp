@@ -23,45 +23,46 @@ struct LoopGains {
 
 /// A sampled loop of the speed, by the angle of an encoder.
 struct SpeedControl {
-  Profile reference{};                 ///< Omega_ref [rad/s], 0 or more
-  double sample_time{1e-3};            ///< T_s [s]
-  int delay{1};                        ///< whole samples from a measurement to its output
-  std::optional<double> encoder{};     ///< counts a turn; without it the angle is exact
+  Profile reference{};                     ///< Omega_ref [rad/s], 0 or more
+  double sample_time{1e-3};                ///< T_s [s]
+  int delay{1};                            ///< whole samples from a measurement to its output
+  std::optional<double> encoder{};         ///< counts a turn; without it the angle is exact
   Actuator actuator{Actuator::frequency};  ///< what the loop changes
-  std::pair<double, double> range{};   ///< of the output [Hz or V]
-  double start{0};                     ///< the output at the beginning, within the range [Hz or V]
-  std::optional<double> slew{};        ///< largest change of the output over time [Hz/s or V/s]
-  std::optional<LoopGains> gains{};    ///< without them those of (M8.1)
+  std::pair<double, double> range{};       ///< of the output [Hz or V]
+  double start{0};                   ///< the output at the beginning, within the range [Hz or V]
+  std::optional<double> slew{};      ///< largest change of the output over time [Hz/s or V/s]
+  std::optional<LoopGains> gains{};  ///< without them those of (M8.1)
 };
 
 /// A sampled loop of the angle, which changes frequency and direction and switches the drive on and off.
 struct PositionControl {
-  Profile reference{};              ///< of theta_r [rad]
-  double sample_time{1e-3};         ///< T_s [s]
-  int delay{1};                     ///< whole samples from a measurement to its output
-  double encoder{4000};             ///< counts a turn
+  Profile reference{};                ///< of theta_r [rad]
+  double sample_time{1e-3};           ///< T_s [s]
+  int delay{1};                       ///< whole samples from a measurement to its output
+  double encoder{4000};               ///< counts a turn
   std::pair<double, double> range{};  ///< of the frequency [Hz]
-  std::optional<double> slew{};     ///< largest fall of the frequency over time [Hz/s]
+  std::optional<double> slew{};       ///< largest fall of the frequency over time [Hz/s]
   /// Speed that is asked for over the way that is left [1/s]; without it 1 / (lambda + theta_d) as in (M8.1)
   std::optional<double> gain{};
-  double window{2};                 ///< counts from the goal within which the drive stays off
-  double off_time{1.5e-3};          ///< with the drive off before phases are swapped [s]
+  double window{2};         ///< counts from the goal within which the drive stays off
+  double off_time{1.5e-3};  ///< with the drive off before phases are swapped [s]
 };
 
 /// The motor as a loop of its speed sees it at one operating point.
 struct LoopPlant {
-  double output{0};         ///< of the loop: frequency [Hz] or voltage, rms [V]
-  double speed{0};          ///< Omega [rad/s]
-  double gain{0};           ///< K, steady change of the speed over that of the output [rad/s/Hz or rad/s/V]
-  double time_constant{0};  ///< tau, 1 / |Re p| of the slowest pole p [s]
+  double output{0};  ///< of the loop: frequency [Hz] or voltage, rms [V]
+  double speed{0};   ///< Omega [rad/s]
+  double gain{0};  ///< K, steady change of the speed over that of the output [rad/s/Hz or rad/s/V]
+  double time_constant{0};                    ///< tau, 1 / |Re p| of the slowest pole p [s]
   std::vector<std::complex<double>> poles{};  ///< the slowest first [1/s]
 };
 
 /// How far a loop is from instability. Infinite where nothing makes it unstable.
 struct LoopMargins {
-  double gain{0};       ///< factor of the gain at which it becomes unstable [1]
-  double phase{0};      ///< lag at the crossover at which it becomes unstable [rad]
-  double crossover{0};  ///< frequency at which the loop's gain falls through 1 [Hz]; 0 if it never is above
+  double gain{0};   ///< factor of the gain at which it becomes unstable [1]
+  double phase{0};  ///< lag at the crossover at which it becomes unstable [rad]
+  double crossover{
+      0};  ///< frequency at which the loop's gain falls through 1 [Hz]; 0 if it never is above
 };
 
 /// A motion under control, and what was known of the loop.
@@ -92,11 +93,13 @@ std::vector<ScheduleRow> gain_schedule(const MotorDesign& design, double load_to
                                        double sample_time, int delay);
 
 /// Margins of a sampled loop: the linear plant with a held input is discretised exactly.
-LoopMargins loop_margins(const LinearPlant& plant, const SpeedControl& control, const LoopGains& gains);
+LoopMargins loop_margins(const LinearPlant& plant, const SpeedControl& control,
+                         const LoopGains& gains);
 
 /// Checks a loop without a motion. @throws InputError as simulate()
 /// @{
-void require_control(const MotorDesign& design, const MotionTask& task, const SpeedControl& control);
+void require_control(const MotorDesign& design, const MotionTask& task,
+                     const SpeedControl& control);
 void require_control(const MotorDesign& design, const MotionTask& task,
                      const PositionControl& control);
 /// @}

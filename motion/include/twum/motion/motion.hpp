@@ -51,25 +51,25 @@ struct MotionTask {
   Profile phase_difference{std::numbers::pi / 2};
   /// Of the oscillating engine: 1, 2 or 4; 0.5 to compare with. It multiplies points of the contact and steps of a period.
   double accuracy{1};
-  std::vector<double> output_times{};    ///< times of the samples, rising [s]; may be empty
-  double tolerance{1.5e-7};              ///< of the integration, relative
+  std::vector<double> output_times{};  ///< times of the samples, rising [s]; may be empty
+  double tolerance{1.5e-7};            ///< of the integration, relative
   /// Asked some hundred times a second, with the time that is reached [s]; false ends the motion as `stopped`. May be empty.
   std::function<bool(double)> go_on{};
 };
 
 /// A motor at one time of a motion. SI units.
 struct MotionSample {
-  double time{0};            ///< [s]
-  double voltage{0};         ///< at the terminals of a phase, rms [V]; NaN with a given amplitude
-  double frequency{0};       ///< f [Hz]
-  double load_torque{0};     ///< T_L [N m]
-  double amplitude{0};       ///< A [m]
-  double phase_lag{0};       ///< phi behind the voltage [rad]; NaN with a given amplitude
+  double time{0};         ///< [s]
+  double voltage{0};      ///< at the terminals of a phase, rms [V]; NaN with a given amplitude
+  double frequency{0};    ///< f [Hz]
+  double load_torque{0};  ///< T_L [N m]
+  double amplitude{0};    ///< A [m]
+  double phase_lag{0};    ///< phi behind the voltage [rad]; NaN with a given amplitude
   /// Of the wave against the first one [m]; NaN with the averaged engine
   double backward_amplitude{std::numeric_limits<double>::quiet_NaN()};
   double phase_difference{std::numbers::pi / 2};  ///< between the phases [rad]
-  double speed{0};           ///< Omega [rad/s]
-  double angle{0};           ///< theta_r [rad]
+  double speed{0};                                ///< Omega [rad/s]
+  double angle{0};                                ///< theta_r [rad]
   double torque{0};          ///< T of the contact on the rotor; held, what holds the load [N m]
   double stator_power{0};    ///< P_in, from the stator to the layer [W]
   double friction_power{0};  ///< P_fric [W]

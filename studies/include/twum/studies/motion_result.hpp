@@ -16,9 +16,9 @@ namespace twum::studies {
 struct MotionResult {
   /// A number of a motion that was asked for.
   struct Measure {
-    std::string text;  ///< as typed, such as "overshoot(speed)"
-    std::string unit;  ///< SI
-    double value{0};   ///< NaN where the motion does not have it
+    std::string text;                    ///< as typed, such as "overshoot(speed)"
+    std::string unit;                    ///< SI
+    double value{0};                     ///< NaN where the motion does not have it
     std::optional<double> step_error{};  ///< as of StepError
   };
   /// How far a motion of the oscillating engine depends on its points and steps: largest differences of two accuracies over time.
@@ -45,12 +45,13 @@ struct MotionResult {
     std::optional<StepError> step_error{};  ///< with the oscillating engine
     std::optional<Loop> loop{};             ///< of a motion under control
   };
-  std::optional<StoredColumn> family;  ///< nothing for the motor alone
+  std::optional<StoredColumn> family;                           ///< nothing for the motor alone
   motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of all motions
   double accuracy{1};                                           ///< of the oscillating engine
-  double duration{0};                  ///< [s]
-  double step{0};                      ///< between samples [s]
-  std::vector<Member> members;         ///< in the order asked
+  std::optional<double> goal{};  ///< last reference of a loop of the position [rad]
+  double duration{0};            ///< [s]
+  double step{0};                ///< between samples [s]
+  std::vector<Member> members;   ///< in the order asked
 };
 
 }  // namespace twum::studies

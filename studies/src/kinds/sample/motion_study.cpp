@@ -51,6 +51,8 @@ class MotionRun : public FamilyRun<MotionResult> {
     MotionResult result;
     result.duration = asked_.duration, result.step = asked_.step();
     result.engine = asked_.engine, result.accuracy = asked_.accuracy.value_or(1);
+    if (asked_.control && asked_.control->kind == MotionControl::Kind::position)
+      result.goal = asked_.control->reference.before(asked_.duration);
     return result;
   }
 
@@ -87,6 +89,8 @@ class MotionRun : public FamilyRun<MotionResult> {
   motion::Motion moved(const MotorDesign& design, const MotionTask& task,
                        std::optional<MotionResult::Loop>* loop) const {
     if (!asked_.control) return motion::simulate(design, task);
+    if (asked_.control->kind == MotionControl::Kind::position)
+      return motion::simulate(design, task, position_control(*asked_.control, design));
     const motion::SpeedControl control = speed_control(*asked_.control, design);
     motion::ControlledMotion result = motion::simulate(design, task, control);
     if (loop != nullptr)
