@@ -23,15 +23,15 @@ Complex direction(Complex zeta) { return zeta == Complex{0, 0} ? zeta : zeta / s
 }  // namespace
 
 double Equations::omega(double time) const {
-  return 2 * std::numbers::pi * stretch_->frequency.at(time);
+  return 2 * std::numbers::pi * stretch_.frequency.at(time);
 }
 
 double Equations::amplitude(double time, std::span<const double> y) const {
-  return model_->driven ? std::abs(zeta_of(y)) : stretch_->amplitude.at(time);
+  return model_->driven ? std::abs(zeta_of(y)) : stretch_.amplitude.at(time);
 }
 
 double Equations::load(double time, double angle) const {
-  return stretch_->load_torque.at(time) + model_->spring(angle);
+  return stretch_.load_torque.at(time) + model_->spring(angle);
 }
 
 double Equations::contact_speed(double speed) const {
@@ -39,8 +39,8 @@ double Equations::contact_speed(double speed) const {
 }
 
 ContactForces Equations::forces_at(double time, double amplitude, double speed) {
-  const double d = stretch_->direction;
-  ContactForces f = contact_.at(amplitude, d * speed, stretch_->frequency.at(time));
+  const double d = stretch_.direction;
+  ContactForces f = contact_.at(amplitude, d * speed, stretch_.frequency.at(time));
   f.torque *= d;
   return f;
 }
@@ -50,7 +50,7 @@ ContactForces Equations::forces(double time, std::span<const double> y) {
 }
 
 HoldingLimits Equations::holding_limits(double time, std::span<const double> y) {
-  const double a = amplitude(time, y), along_wave = stretch_->direction;
+  const double a = amplitude(time, y), along_wave = stretch_.direction;
   const ContactForces one = forces_at(time, a, along_wave * kSmallestSpeed);
   const double against_wave = -along_wave;
   ContactForces other = one;
@@ -70,15 +70,15 @@ Complex Equations::capacitive_admittance(double time) const {
 Equations::Electrical Equations::electrical(double time, std::span<const double> y) const {
   const double w = omega(time);
   const Complex zeta = zeta_of(y);
-  const Complex u = stretch_->off ? model_->off_voltage(w) * zeta
-                                  : Complex{std::numbers::sqrt2 * stretch_->voltage.at(time), 0};
+  const Complex u = stretch_.off ? model_->off_voltage(w) * zeta
+                                 : Complex{std::numbers::sqrt2 * stretch_.voltage.at(time), 0};
   return {u, capacitive_admittance(time) * u + kI * w * model_->force_factor * zeta};  // (D4.1)
 }
 
 // Derivative of the electrical power along a step of zeta.
 double Equations::power_slope(double time, const Electrical& at, Complex dzeta) const {
   const double w = omega(time);
-  const Complex du = stretch_->off ? model_->off_voltage(w) * dzeta : Complex{0, 0};
+  const Complex du = stretch_.off ? model_->off_voltage(w) * dzeta : Complex{0, 0};
   const Complex di = capacitive_admittance(time) * du + kI * w * model_->force_factor * dzeta;
   return (du * std::conj(at.current) + at.voltage * std::conj(di)).real();
 }
@@ -100,10 +100,10 @@ Equations::WaveRate Equations::wave_rate(double time, Complex contact_stiffness)
   Complex stiffness =
       model_->stiffness_of_wave - w * w * m + kI * w * model_->damping + contact_stiffness;
   double drive = 0;
-  if (stretch_->off)
+  if (stretch_.off)
     stiffness -= model_->force_factor * model_->off_voltage(w);  // (M3.2)
   else
-    drive = model_->drive_force(stretch_->voltage.at(time));
+    drive = model_->drive_force(stretch_.voltage.at(time));
   const Complex divisor = kI * m * (w + free);
   return {drive / divisor, -stiffness / divisor, divisor, free, w + free};
 }
@@ -115,9 +115,9 @@ bool Equations::rates(double time, std::span<const double> y, std::span<double> 
   if (model_->driven) {
     const WaveRate wave = wave_rate(time, f.stiffness);
     const Complex zeta = zeta_of(y);
-    const Complex rate = stretch_->off ? wave.growth.real() * zeta : wave.of(zeta);
+    const Complex rate = stretch_.off ? wave.growth.real() * zeta : wave.of(zeta);
     dy[kReal] = rate.real(), dy[kImaginary] = rate.imag();
-    dy[kTurn] = stretch_->off ? wave.growth.imag() : 0;
+    dy[kTurn] = stretch_.off ? wave.growth.imag() : 0;
     dy[kEnergy] = electrical(time, y).power();
   }
   if (mode_.held) return true;
@@ -163,10 +163,10 @@ void Equations::add_wave(const Entries& entry, double time, std::span<const doub
     const double dfree = dstiffness.real() / (2 * model_->mass * wave.free_rate);
     const Complex dgrowth = -dstiffness / wave.divisor - wave.growth * dfree / wave.rates;
     const Complex ddrive = -wave.drive * dfree / wave.rates;
-    const Complex d = stretch_->off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
-                                    : ddrive + wave.growth * dzeta + dgrowth * zeta;
+    const Complex d = stretch_.off ? wave.growth.real() * dzeta + dgrowth.real() * zeta
+                                   : ddrive + wave.growth * dzeta + dgrowth * zeta;
     entry(kReal, in) = d.real(), entry(kImaginary, in) = d.imag();
-    if (stretch_->off) entry(kTurn, in) = dgrowth.imag();
+    if (stretch_.off) entry(kTurn, in) = dgrowth.imag();
   };
   const Complex along = direction(zeta);
   put(kReal, 1, along.real() * contact.stiffness_per_amplitude);

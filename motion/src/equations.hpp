@@ -39,10 +39,10 @@ class Equations final : public OdeSystem {
   explicit Equations(const MotionModel& model, const ModelSlopes* slopes = nullptr)
       : model_(&model), slopes_(slopes), contact_(model) {}
 
-  void set_stretch(const Stretch& stretch) { stretch_ = &stretch; }
+  void set_stretch(const Stretch& stretch) { stretch_ = stretch; }
   void set_mode(Mode mode) { mode_ = mode; }
   const Mode& mode() const { return mode_; }
-  const Stretch& stretch() const { return *stretch_; }
+  const Stretch& stretch() const { return stretch_; }
   const MotionModel& model() const { return *model_; }
   const Contact& contact() const { return contact_; }
 
@@ -98,7 +98,7 @@ class Equations final : public OdeSystem {
   const MotionModel* model_;
   const ModelSlopes* slopes_;
   Contact contact_;
-  const Stretch* stretch_{nullptr};
+  Stretch stretch_{};
   Mode mode_{true, 1};
 };
 

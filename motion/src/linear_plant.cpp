@@ -38,6 +38,7 @@ Stretch constant_inputs(const MotorDesign& design, double load_torque) {
           ramp(0),
           ramp(drive_frequency(design)),
           ramp(load_torque),
+          ramp(std::numbers::pi / 2),
           false,
           1};
 }

@@ -154,7 +154,8 @@ class Manoeuvres {
     RunWatch watch;
     watch.reached = StartWatch(start, patience() / kPatience, settled);
     watch.slopes = slopes_;
-    require_ok(MotionRun(design_, task, watch).run());
+    MotionRun run(design_, task, watch);
+    require_ok(followed(run, task, model_.driven));
     return start;
   }
 
@@ -267,16 +268,11 @@ class Manoeuvres {
     return task;
   }
 
+  // Of a steady state.
   Stretch under_drive(double torque) const {
-    const auto constant = [](double value) { return Ramp{0, value, 0}; };
-    return {0,
-            1,
-            constant(design_.stator.voltage.value_or(0)),
-            constant(design_.stator.amplitude),
-            constant(drive_frequency(design_)),
-            constant(torque),
-            false,
-            1};
+    MotionTask task = steady_drive(design_, 1);
+    task.load_torque = torque;
+    return before_the_first(task);
   }
 
   static void require_ok(const Motion& motion) {
@@ -290,7 +286,7 @@ class Manoeuvres {
 
   RunEnd held_end(const MotionTask& task, RunWatch watch) const {
     MotionRun run(design_, task, std::move(watch));
-    require_ok(run.run());
+    require_ok(followed(run, task, model_.driven));
     RunEnd end = run.end();
     if (!end.held) throw NoValue{MetricStatus::does_not_stop};
     return end;
@@ -308,7 +304,8 @@ class Manoeuvres {
                            [&](double time) { return integrator.at(time)[kAngle] - angle; });
       return true;
     };
-    require_ok(MotionRun(design_, task, watch).run());
+    MotionRun run(design_, task, watch);
+    require_ok(followed(run, task, model_.driven));
     if (!found) throw NoValue{MetricStatus::does_not_start};
     return *found;
   }

@@ -2,6 +2,7 @@
 #include <twum/motion/motion.hpp>
 
 #include "motion_run.hpp"
+#include "oscillating/oscillating_run.hpp"
 
 #include <twum/core/parameters.hpp>
 
@@ -44,12 +45,30 @@ double opening_amplitude(const MotorDesign& design) {
   return design.preload / (2 * stiffness);
 }
 
+std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& task) {
+  if (task.engine == MotionEngine::oscillating)
+    return std::make_unique<OscillatingRun>(design, task);
+  return std::make_unique<MotionRun>(design, task);
+}
+
+std::vector<Stretch> begun(Engine& engine, const MotionTask& task, bool driven) {
+  std::vector<Stretch> stretches = stretches_of(task, driven);
+  engine.begin(task.initial.steady ? before_the_first(task) : stretches.front());
+  return stretches;
+}
+
+Motion followed(Engine& engine, const MotionTask& task, bool driven) {
+  for (const Stretch& stretch : begun(engine, task, driven))
+    if (!engine.follow(stretch)) break;
+  return engine.finish();
+}
+
 void require_motion(const MotorDesign& design, const MotionTask& task) {
-  MotionRun(design, task).begin();
+  begun(*engine_of(design, task), task, design.stator.voltage.has_value());
 }
 
 Motion simulate(const MotorDesign& design, const MotionTask& task) {
-  return MotionRun(design, task).run();
+  return followed(*engine_of(design, task), task, design.stator.voltage.has_value());
 }
 
 }  // namespace twum::motion

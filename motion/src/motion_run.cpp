@@ -26,7 +26,6 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
       task_(task),
       asked_(std::move(watch)),
       model_(design),
-      stretches_(stretches_of(task, model_.driven)),
       equations_(model_, asked_.slopes),
       integrator_(equations_, 2, task.tolerance, absolute_tolerances(),
                   asked_.slopes ? asked_.slopes->columns().size() : 0),
@@ -35,6 +34,11 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
     throw InputError(
         "radial_motion must be false for a motion in time, which would take hours with it, but is "
         "true");
+  for (const auto& [time, value] : task.phase_difference.rows())
+    if (value != std::numbers::pi / 2)
+      throw InputError(
+          "the averaged engine has one wave, of phases 90 deg apart; use the oscillating engine "
+          "for another phase difference");
 }
 
 // A tenth of the amplitude at which the contact opens, or without contact a thousandth of the free wave at resonance.
@@ -76,22 +80,11 @@ Mode MotionRun::mode_at_rest() {
   return {held, above >= below ? 1.0 : -1.0};
 }
 
-// The first values, before a step at the beginning, with the drive on.
-Stretch MotionRun::before_the_first() const {
-  Stretch before = stretches_.front();
-  const auto value = [](const Profile& p) { return Ramp{0, p.before(0), 0}; };
-  before.voltage = value(task_.voltage), before.amplitude = value(task_.amplitude);
-  before.frequency = value(task_.frequency), before.load_torque = value(task_.load_torque);
-  before.off = false, before.direction = 1;
-  return before;
-}
-
-void MotionRun::begin() {
+void MotionRun::begin(const Stretch& first) {
   const std::size_t columns = asked_.slopes ? asked_.slopes->columns().size() : 0;
   slopes_.assign(columns * kStateCount, 0.0);
   const InitialState& initial = task_.initial;
-  before_ = initial.steady ? before_the_first() : stretches_.front();
-  equations_.set_stretch(before_);
+  equations_.set_stretch(first);
   if (initial.steady) {
     y_ = steady_state(design_, equations_);
     if (columns > 0) slopes_ = steady_slopes(equations_, y_, columns);
@@ -118,10 +111,10 @@ void MotionRun::turn_wave() {
 }
 
 bool MotionRun::enter(const Stretch& stretch) {
-  const Stretch& before = equations_.stretch();
+  const Stretch before = equations_.stretch();
   const bool swapped = before.direction != stretch.direction, switched = before.off != stretch.off;
   if (swapped && !swap_phases()) return false;
-  const bool moves = !asked_.switch_slopes.empty() && stretch.begin > stretches_.front().begin;
+  const bool moves = !asked_.switch_slopes.empty() && stretch.begin > 0;
   const States rates_before = moves ? rates_now() : States{};
   equations_.set_stretch(stretch);
   if (switched) turn_wave();
@@ -186,6 +179,15 @@ void MotionRun::take_samples() {
 }
 
 bool MotionRun::follow(const Stretch& stretch) {
+  // Times before the first step of the integrator.
+  while (next_sample_ < task_.output_times.size() && task_.output_times[next_sample_] <= 0) {
+    ++next_sample_;
+    motion_.samples.push_back(sample_at(equations_, 0, y_));
+  }
+  return enter(stretch) && integrate(stretch);
+}
+
+bool MotionRun::integrate(const Stretch& stretch) {
   const auto stands = [&] { return asked_.until_held && stretch.off && equations_.mode().held; };
   if (stands()) return false;
   integrator_.restart(time_, y_, stretch.end, slopes_);
@@ -215,15 +217,7 @@ bool MotionRun::follow(const Stretch& stretch) {
   }
 }
 
-Motion MotionRun::run() {
-  begin();
-  // Times before the first step of the integrator.
-  while (next_sample_ < task_.output_times.size() && task_.output_times[next_sample_] <= 0) {
-    ++next_sample_;
-    motion_.samples.push_back(sample_at(equations_, 0, y_));
-  }
-  for (const Stretch& stretch : stretches_)
-    if (!enter(stretch) || !follow(stretch)) break;
+Motion MotionRun::finish() {
   motion_.end = time_;
   motion_.steps = integrator_.steps();
   motion_.contacts = equations_.contact().count();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "engine.hpp"
 #include "equations.hpp"
 #include "watch.hpp"
 
@@ -34,22 +35,23 @@ struct RunEnd {
 };
 
 /// One motion while it is integrated: stretch after stretch, and within each from event to event.
-class MotionRun {
+class MotionRun final : public Engine {
  public:
   MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch watch = {});
-  Motion run();
-  /// After run(): its end.
+  /// After finish(): where it ended.
   RunEnd end() const { return {y_, time_, equations_.mode().held, slopes_, time_slopes_}; }
 
-  /// The state at the beginning.
-  void begin();
+  void begin(const Stretch& first) override;
+  bool follow(const Stretch& stretch) override;
+  double angle() const override { return y_[kAngle]; }
+  double speed() const override { return y_[kSpeed]; }
+  Motion finish() override;
 
  private:
-  Stretch before_the_first() const;
   /// Each is false where the motion ends early.
   /// @{
   bool enter(const Stretch& stretch);
-  bool follow(const Stretch& stretch);
+  bool integrate(const Stretch& stretch);
   bool swap_phases();
   /// @}
   void turn_wave();
@@ -70,11 +72,9 @@ class MotionRun {
   const MotionTask& task_;
   RunWatch asked_;
   MotionModel model_;
-  std::vector<Stretch> stretches_;
   Equations equations_;
   Integrator integrator_;
   Watch watch_;
-  Stretch before_{};
   States y_{};
   std::vector<double> slopes_, time_slopes_;
   double time_{0};

@@ -96,7 +96,7 @@ States newton_solution(Equations& equations, States y) {
 States steady_state(const MotorDesign& design, Equations& equations) {
   if (equations.model().stiffness > 0) refuse("the load has a spring");
   equations.set_mode({false, 1});
-  const Stretch& asked = equations.stretch();
+  const Stretch asked = equations.stretch();
   const double torque = asked.load_torque.value, friction = equations.model().load_friction;
   // The curve ends at no-load. From there a load that drives the rotor is approached in steps of 5 % of the holding torque.
   States y = state_on_curve(design, equations, std::max(torque + friction, 0.0));

@@ -52,7 +52,7 @@ void add_times(std::vector<double>& times, const std::vector<Interval>& interval
 std::vector<double> kinks(const MotionTask& task) {
   std::vector<double> times{0, task.duration};
   for (const Profile* profile :
-       {&task.voltage, &task.amplitude, &task.frequency, &task.load_torque})
+       {&task.voltage, &task.amplitude, &task.frequency, &task.load_torque, &task.phase_difference})
     add_times(times, *profile);
   add_times(times, task.switched_off), add_times(times, task.reversed);
   std::ranges::sort(times);
@@ -60,6 +60,18 @@ std::vector<double> kinks(const MotionTask& task) {
   times.erase(first, last);
   std::erase_if(times, [&](double time) { return time < 0 || time > task.duration; });
   return times;
+}
+
+// Adds times but for those that are there.
+void add_others(std::vector<double>& times, const std::vector<double>& more) {
+  const double same = kSameTime * times.back();
+  std::vector<double> others;
+  for (const double time : more) {
+    const auto next = std::ranges::lower_bound(times, time - same);
+    if (next == times.end() || *next > time + same) others.push_back(time);
+  }
+  times.insert(times.end(), others.begin(), others.end());
+  std::ranges::sort(times);
 }
 
 Ramp ramp(const Profile& profile, double begin, double end) {
@@ -74,15 +86,31 @@ bool covers(const std::vector<Interval>& intervals, double begin) {
 
 }  // namespace
 
-std::vector<Stretch> stretches_of(const MotionTask& task, bool driven) {
+Stretch before_the_first(const MotionTask& task) {
+  const auto value = [](const Profile& p) { return Ramp{0, p.before(0), 0}; };
+  return {0,
+          0,
+          value(task.voltage),
+          value(task.amplitude),
+          value(task.frequency),
+          value(task.load_torque),
+          value(task.phase_difference),
+          false,
+          1};
+}
+
+std::vector<Stretch> stretches_of(const MotionTask& task, bool driven,
+                                  const std::vector<double>& more) {
   require_task(task, driven);
-  const std::vector<double> times = kinks(task);
+  std::vector<double> times = kinks(task);
+  add_others(times, more);
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double a = times[i], b = times[i + 1];
     stretches.push_back({a, b, ramp(task.voltage, a, b), ramp(task.amplitude, a, b),
                          ramp(task.frequency, a, b), ramp(task.load_torque, a, b),
-                         covers(task.switched_off, a), covers(task.reversed, a) ? -1.0 : 1.0});
+                         ramp(task.phase_difference, a, b), covers(task.switched_off, a),
+                         covers(task.reversed, a) ? -1.0 : 1.0});
   }
   return stretches;
 }

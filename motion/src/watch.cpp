@@ -6,10 +6,6 @@
 namespace twum::motion {
 namespace {
 
-constexpr double kStarted = 3;  // times A_1: the contact has opened over most of the wave
-constexpr double kOverrunShare =
-    0.01;  // of the holding torque: more than the ripple of a steady run
-
 // Where a function of time falls through zero between two times; bisection, to 1e-6 of their distance.
 template <typename Function>
 double falls_through_zero(double from, double to, Function distance) {

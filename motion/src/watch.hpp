@@ -9,6 +9,11 @@
 
 namespace twum::motion {
 
+inline constexpr double kStarted =
+    3;  ///< times A_1, a wave that has started: the contact has opened over most of it
+/// Of the holding torque, by which a rotor drives the wave: more than the ripple of a steady run.
+inline constexpr double kOverrunShare = 0.01;
+
 /// Looks for the events that change nothing: the wave starts or pulls out, the rotor overruns it.
 class Watch {
  public:

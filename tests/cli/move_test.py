@@ -51,6 +51,19 @@ class Move(program.Case):
         text = self.ok("move", MOVING, "--voltage", "100 V")
         self.assertIn("does not run", text)
 
+    def test_every_vibration_of_a_start_and_a_stop(self):
+        motion = json.loads(self.ok("move", MOVING, "--engine", "oscillating", "--inertia", "93e-6 kg.m^2",
+                                    "--time", "36 ms", "--format", "json"))["motion"]
+        self.assertEqual((motion["status"], motion["engine"], motion["accuracy"]), ("ok", "oscillating", 1))
+        held = next(event for event in motion["events"] if event["event"] == "held")
+        # Another program that resolves every vibration stops 24 - 15 ms after the drive, within a tenth of a millisecond.
+        self.assertAlmostEqual(held["time"], 0.024 + 9e-3, delta=0.3e-3)
+        # An error bar of the speed of some thousandths, not of some percent and not of nothing.
+        self.assertTrue(1e-3 < motion["step_error"]["speed"] < 0.2)
+        self.assertIn("Errors of points and steps", self.ok("move", MOVING, "--engine", "oscillating", "--time", "3 ms"))
+        self.assertIn("rotor_inertia", self.refused("move", DRIVE, "--engine", "oscillating", "--set", "radial_slices=1"))
+        self.assertIn("radial_slices", self.refused("move", DRIVE, "--engine", "oscillating", "--set", "rotor_inertia=7e-6 kg.m^2"))
+
     def test_what_cannot_be_is_refused(self):
         self.assertIn("rotor_inertia", self.refused("move", DRIVE))
         for options, expected in ((("--time", "0 s"), "--time: '0 s'; expected more than 0"),
@@ -93,6 +106,26 @@ class Linearize(program.Case):
             count += 1
         self.assertEqual(count, 16 + 12 + 20 + 15)
 
+    def test_a_gain_schedule_is_a_row_for_each_frequency(self):
+        one = ("linearize", MOVING, "--inertia", "93e-6 kg.m^2", "--from", "40.2 kHz", "--to", "42 kHz", "--points", "3")
+        rows = list(csv.DictReader(io.StringIO(self.ok(*one, "--format", "csv"))))
+        self.assertEqual([float(row["frequency [Hz]"]) for row in rows], [40200, 41100, 42000])
+        gains = [float(row["gain [rad/s/Hz]"]) for row in rows]
+        # To the digits that another program gives.
+        self.assertAlmostEqual(gains[0], -21.8e-3, delta=0.05e-3)
+        self.assertAlmostEqual(gains[2], -3.5e-3, delta=0.05e-3)
+        for row, gain in zip(rows, gains):  # (M8.1): lambda + theta_d = 6 ms
+            self.assertAlmostEqual(float(row["ki [Hz/rad]"]) * gain * 6e-3, 1, delta=1e-9)
+            self.assertAlmostEqual(float(row["kp [Hz.s/rad]"]) / float(row["ki [Hz/rad]"]),
+                                   float(row["time_constant [s]"]), delta=1e-12)
+        schedule = json.loads(self.ok(*one, "--format", "json"))["schedule"]
+        self.assertEqual([entry["gain"] for entry in schedule], gains)
+        # Below the resonance at 39 kHz a wave of 60 V does not run.
+        self.assertIn("does not run", self.ok(*one[:4], "--set", "voltage=20 V", "--from", "43 kHz", "--to", "45 kHz"))
+        self.assertIn("both --from and --to", self.refused(*one[:6]))
+        self.assertIn("--from has to be below --to", self.refused(*one[:4], "--from", "42 kHz", "--to", "41 kHz"))
+        self.assertIn("MATLAB", self.refused(*one, "--format", "matlab"))
+
     def test_what_cannot_be_is_refused(self):
         self.assertIn("no steady running state", self.refused("linearize", MOVING, "--torque", "3 N.m"))
         self.assertIn("rotor_inertia", self.refused("linearize", DRIVE))
@@ -129,6 +162,45 @@ class Study(program.Case):
         # The first and the last steady speed of a direct integration, 16.0627 and 12.8449 rad/s.
         self.assertAlmostEqual(speeds[0], 16.062727, delta=1e-4 * 16)
         self.assertAlmostEqual(speeds[-1], 12.844872, delta=1e-3 * 13)
+
+    CONTROL = ("  duration: 100 ms\n  load: {inertia: 93e-6 kg.m^2}\n  control: {kind: speed, reference: 12 rad/s, "
+               "range: [39.7 kHz, 44.5 kHz], start_frequency: 42.5 kHz, ")
+
+    def test_a_loop_of_the_speed_settles_and_has_margins(self):
+        measures = "  measure: ['settling_time(speed, 5 %)', overshoot(speed)]\n"
+        motion = self.summary(self.CONTROL + "gains: {kp: -12.6262626 Hz.s/rad, ki: -25252.5253 Hz/rad}}\n" + measures)
+        values = [one["value"] for one in motion["measures"]]
+        # Another program: 11.151 rad/s at 12 ms and 11.687 at 18 ms; 11.4 lies between them, below their mean time.
+        self.assertTrue(13e-3 < values[0] < 15.5e-3)
+        self.assertLess(abs(values[1]), 0.01)
+        rows = list(csv.DictReader(io.StringIO((self.folder / "out/results.csv").read_text())))
+        at = {round(float(row["time [s]"]), 7): row for row in rows}
+        for time, speed, frequency in ((0.006, 10.00202, 41680.847), (0.012, 11.15092, 41468.154), (0.024, 11.89167, 41352.167)):
+            self.assertAlmostEqual(float(at[time]["speed [rad/s]"]), speed, delta=1e-4)
+            self.assertAlmostEqual(float(at[round(time + 5e-4, 7)]["frequency [Hz]"]), frequency, delta=0.01)
+        self.assertTrue(2 < motion["margins"]["gain"] < 10)
+        self.assertTrue(0.8 < motion["margins"]["phase"] < 1.5)
+
+    def test_small_margins_are_told(self):
+        path = self.study(self.CONTROL + "gains: {kp: -40 Hz.s/rad, ki: -90000 Hz/rad}}\n")
+        self.assertIn("The margins are small", self.ok("run", path, "-o", self.folder / "out"))
+        path = self.study(self.CONTROL + "gains: auto}\n")
+        self.assertNotIn("The margins are small", self.ok("run", path, "-o", self.folder / "other"))
+
+    def test_a_loop_of_the_position_comes_to_rest_at_its_goal(self):
+        motion = self.summary("  duration: 100 ms\n  load: {inertia: 93e-6 kg.m^2}\n  control: {kind: position, reference: 0.5 rad, "
+                              "encoder: 4000, range: [40.2 kHz, 43.6 kHz], slew: 200 kHz/s, gain: 60 1/s}\n"
+                              "  measure: ['settling_time(angle, 1 %)', 'energy(0 ms, 100 ms)', peak(angle)]\n")
+        settled, energy, peak = (one["value"] for one in motion["measures"])
+        # Another program: 55 ms, 0.26 J; within two counts of 1.57 mrad at the end.
+        self.assertAlmostEqual(energy, 0.26, delta=0.15 * 0.26)
+        self.assertAlmostEqual(settled, 55e-3, delta=0.15 * 55e-3)
+        self.assertLess(peak, 0.51)
+
+    def test_every_vibration_under_a_loop(self):
+        motion = self.summary(self.CONTROL.replace("100 ms", "30 ms") + "gains: auto}\n  engine: oscillating\n")
+        self.assertEqual(motion["status"], "ok")
+        self.assertIn("step_error", motion)
 
     def test_a_family_has_a_line_for_each_motor(self):
         motion = self.summary("  duration: 5 ms\n  family: {load_inertia: [0 kg.m^2, 1e-4 kg.m^2]}\n")

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 namespace twum::test {
 
@@ -40,6 +42,16 @@ inline MotorDesign motor_of_row(const CsvRow& row, const char* frequency, const 
   d.friction = {row["mu"], row["mu"]}, d.preload = row["F_N"];
   d.rotor.inertia = row["J"], d.load = ShaftLoad{.damping = row["c_L"]};
   return d;
+}
+
+/// A number, or "time:value,time:value,...".
+inline motion::Profile profile_of(const std::string& text) {
+  if (text.find(':') == std::string::npos) return std::stod(text);
+  std::vector<motion::Profile::Row> rows;
+  std::istringstream in(text);
+  for (std::string row; std::getline(in, row, ',');)
+    rows.emplace_back(std::stod(row), std::stod(row.substr(row.find(':') + 1)));
+  return motion::Profile(rows);
 }
 
 /// A_1 of a motor with one slice (D1.5) [m].

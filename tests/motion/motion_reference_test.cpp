@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include <map>
-#include <sstream>
 #include <string>
 
 // Motions that other programs integrated: one with the same averaged equations and a contact of its own, and one that resolves
@@ -19,16 +18,6 @@ using namespace twum::test;
 using Event = MotionEventKind;
 
 Profile step(double before, double after) { return Profile({{0, before}, {0, after}}); }
-
-// A number, or "time:value,time:value,...".
-Profile profile_of(const std::string& text) {
-  if (text.find(':') == std::string::npos) return std::stod(text);
-  std::vector<Profile::Row> rows;
-  std::istringstream in(text);
-  for (std::string row; std::getline(in, row, ',');)
-    rows.emplace_back(std::stod(row), std::stod(row.substr(row.find(':') + 1)));
-  return Profile(rows);
-}
 
 TEST_CASE("steps of voltage, frequency and load follow another program (M2.1, M2.2)",
           "[motion][reference]") {

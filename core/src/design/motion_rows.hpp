@@ -39,6 +39,10 @@ inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
       false, kNoAlternative, "459 ohm", "resistance across each phase while the drive is off",
       "0 shorts the phases; the largest is better than any insulator", "0 ohm", false},
      in_block<&MotorDesign::driver, &Driver::off_resistance>()},
+    {{P::axial_damping, "axial_damping", "", "N.s/m", "rotor.axial_damping", 0, 1e9, false, false,
+      kNoAlternative, "300 N.s/m", "damping of the rotor's axial motion: flange, rubber, lining",
+      "0 is a rotor that hops near no-load; the largest stops any axial motion", "0 N.s/m", false},
+     plain<&Rotor::axial_damping>().used_if(has<&Rotor::mass>)},
 })};
 
 }  // namespace motion_rows

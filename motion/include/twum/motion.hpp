@@ -8,6 +8,7 @@
 /// A motor in time: starts, stops, and changes of load and drive (docs/theory/motion.md). The rules of twum.hpp's libraries
 /// hold: SI units, values in and out, InputError for a wrong argument.
 
+#include <twum/motion/control.hpp>
 #include <twum/motion/integrator_version.hpp>
 #include <twum/motion/left_out.hpp>
 #include <twum/motion/linear_plant.hpp>

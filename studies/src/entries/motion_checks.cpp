@@ -8,6 +8,8 @@
 #include <twum/io/engineering.hpp>
 #include <twum/io/words.hpp>
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 
 namespace twum::studies {
@@ -25,6 +27,9 @@ class MotionCheck {
   void check() {
     check_motor();
     check_entries_of_drive();
+    if (oscillates()) check_motor_of_two_waves();
+    if (!oscillates()) check_one_wave();
+    if (study_.control) check_control(*study_.control);
     check_values("voltage", study_.drive.voltage, Parameter::voltage);
     check_values("amplitude", study_.drive.amplitude, Parameter::amplitude);
     check_values("frequency", study_.drive.frequency, Parameter::frequency);
@@ -64,12 +69,91 @@ class MotionCheck {
     if (!motor_.rotor.inertia && !varies(Parameter::rotor_inertia))
       say_of_motor("it has no rotor_inertia, which a motion needs",
                    "give rotor.inertia in the motor file, such as 7e-6 kg.m^2");
-    if (motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
+    if (!oscillates() && motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
       say_of_motor("its phases or modes are unequal (stator.imbalance), but a motion has one wave",
                    "leave them out");
     if (motor_.stator.radial_motion)
       say_of_motor("its surface also moves radially, with which a motion would take hours",
                    "write 'radial_motion: false' under stator");
+  }
+
+  bool oscillates() const { return study_.engine == motion::MotionEngine::oscillating; }
+
+  // What the oscillating engine does not compute.
+  void check_motor_of_two_waves() {
+    if (!motor_.stator.voltage)
+      say("engine", "the oscillating engine for a motor that is given by its amplitude",
+          "give stator.voltage in the motor file, or write 'engine: averaged'");
+    if (motor_.stator.radial_slices != 1 && !varies(Parameter::radial_slices))
+      say_of_motor("radial_slices is not 1, but the oscillating engine has one contact radius",
+                   "write 'radial_slices: 1' under stator");
+    if (motor_.rotor.taper != 0)
+      say_of_motor("rotor_taper is not 0, but the oscillating engine has one contact radius",
+                   "leave it out");
+    if (motor_.friction.threshold > motor_.friction.kinetic)
+      say_of_motor("static_friction is above kinetic_friction; the oscillating engine has one",
+                   "leave out friction.static");
+    if (!motor_.rotor.mass && !varies(Parameter::rotor_mass) && mixes_waves())
+      say_of_motor(
+          "it has no rotor_mass, which decides how two waves share the rotor",
+          "give rotor.mass, such as 0.1 kg, or 0 kg for a rotor that follows the larger wave");
+  }
+
+  bool mixes_waves() const {
+    if (!study_.drive.reversed.empty()) return true;
+    if (study_.control && study_.control->kind == MotionControl::Kind::position) return true;
+    if (!study_.drive.phase_difference) return false;
+    return std::ranges::any_of(
+        study_.drive.phase_difference->rows(),
+        [](const motion::Profile::Row& row) { return row.second != std::numbers::pi / 2; });
+  }
+
+  // What a loop and the entries beside it have to agree on. Its numbers are the engine's to check.
+  void check_control(const MotionControl& control) {
+    const motion::Actuator actuator = control.actuator_of(motor_);
+    const bool by_voltage = actuator == motion::Actuator::voltage;
+    if (!motor_.stator.voltage)
+      say("control", "a loop for a motor that is given by its amplitude",
+          "give stator.voltage in the motor file");
+    if (by_voltage ? study_.drive.voltage.has_value() : study_.drive.frequency.has_value())
+      say(by_voltage ? "drive.voltage" : "drive.frequency", "a value for what control changes",
+          "leave it out, or leave out control");
+    if (!study_.drive.reversed.empty())
+      say("drive.reversed", "phases that are swapped under a loop",
+          "leave it out, or leave out control");
+    if (control.range.empty() && (by_voltage || !motor_.stator.frequency_range))
+      say("control", "no range of its output",
+          by_voltage ? "give range, such as [100 V, 160 V]"
+                     : "give range, such as [39.7 kHz, 44.5 kHz], or stator.frequency_range");
+    const auto check_unit = [&](const char* entry, const LoopValue& value) {
+      if (value.unit == actuator) return true;
+      say(std::string("control.") + entry,
+          by_voltage ? "a frequency, but the loop changes the voltage"
+                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "give it in V, or write 'actuator: frequency'"
+                     : "give it in Hz, or write 'actuator: voltage'");
+      return false;
+    };
+    for (const LoopValue& end : control.range)
+      if (!check_unit("range", end)) break;
+    if (control.slew) check_unit("slew", *control.slew);
+    if (control.gains)
+      check_unit("gains", control.gains->kp) && check_unit("gains", control.gains->ki);
+    if (by_voltage ? control.start_frequency.has_value() : control.start_voltage.has_value())
+      say(by_voltage ? "control.start_frequency" : "control.start_voltage",
+          by_voltage ? "a frequency, but the loop changes the voltage"
+                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "give start_voltage" : "give start_frequency");
+  }
+
+  void check_one_wave() {
+    if (study_.accuracy)
+      say("accuracy", "an accuracy for the averaged engine, which has none",
+          "leave it out, or write 'engine: oscillating'");
+    if (study_.drive.phase_difference)
+      say("drive.phase_difference",
+          "a phase difference for the averaged engine, which has one wave",
+          "write 'engine: oscillating'");
   }
 
   void check_entries_of_drive() {
@@ -119,9 +203,16 @@ class MotionCheck {
     if (study_.family) return;  // each of its motors says it when the study runs
     const MotorDesign motor = motion_motor(study_, motor_);
     try {
-      motion::require_motion(motor, motion_task(study_, motor));
+      const motion::MotionTask task = motion_task(study_, motor);
+      if (study_.control && study_.control->kind == MotionControl::Kind::position)
+        motion::require_control(motor, task, position_control(*study_.control, motor));
+      else if (study_.control)
+        motion::require_control(motor, task, speed_control(*study_.control, motor));
+      else
+        motion::require_motion(motor, task);
     } catch (const InputError& error) {
-      say(study_.initial.steady ? "initial" : "kind", error.what(),
+      const char* entry = study_.control ? "control" : study_.initial.steady ? "initial" : "kind";
+      say(entry, error.what(),
           study_.initial.steady ? "begin at rest, or with another drive or load" : "");
     }
   }

@@ -28,6 +28,10 @@ constexpr std::array kMotionColumns{
     MotionColumn{"electrical_power", "W", [](const Sample& s) { return s.electrical_power; }},
     MotionColumn{"phase_current", "A", [](const Sample& s) { return s.phase_current; }},
     MotionColumn{"energy", "J", [](const Sample& s) { return s.energy; }},
+    MotionColumn{"backward_amplitude", "m", [](const Sample& s) { return s.backward_amplitude; },
+                 true},
+    MotionColumn{"phase_difference", "rad", [](const Sample& s) { return s.phase_difference; },
+                 true},
     MotionColumn{"held", "1", [](const Sample& s) { return s.held ? 1.0 : 0.0; }},
     MotionColumn{"off", "1", [](const Sample& s) { return s.off ? 1.0 : 0.0; }}};
 
@@ -39,6 +43,7 @@ struct MeasureName {
 };
 constexpr std::array kMeasures{
     MeasureName{"time_to", Kind::time_to, 2, "time_to(speed, 90 %)"},
+    MeasureName{"settling_time", Kind::settling_time, 2, "settling_time(speed, 5 %)"},
     MeasureName{"overshoot", Kind::overshoot, 1, "overshoot(speed)"},
     MeasureName{"peak", Kind::peak, 1, "peak(phase_current)"},
     MeasureName{"angle_after", Kind::angle_after, 1, "angle_after(30 ms)"},
@@ -92,6 +97,12 @@ void read_arguments(MotionMeasure& measure, const std::vector<std::string_view>&
     case Kind::time_to:
       measure.column = column_named(arguments[0]);
       return read_level(measure, arguments[1]);
+    case Kind::settling_time:
+      measure.column = column_named(arguments[0]);
+      measure.share = parse_quantity(arguments[1], {"1", "5 %"});
+      if (*measure.share > 0) return;
+      throw ValueError("a share of 0 or less, which is never reached",
+                       "expected settling_time(speed, 5 %)");
     case Kind::overshoot:
     case Kind::peak: measure.column = column_named(arguments[0]); return;
     case Kind::time_of: measure.column = event_named(arguments[0]); return;

@@ -16,6 +16,7 @@ struct MotionColumn {
   const char* name;
   const char* unit;
   double (*of)(const motion::MotionSample&);
+  bool of_two_waves{false};  ///< of the oscillating engine only
 };
 /// All of them, in their order; static lifetime.
 std::span<const MotionColumn> motion_columns();

@@ -6,6 +6,7 @@
 
 #include <twum/io/words.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace twum::studies {
@@ -69,7 +70,12 @@ Shape<MotionStudy::Drive> drive_shape() {
                    &D::switched_off, "never"),
        hidden(optional<D>("reversed",
                           intervals("when the phases are swapped, from one time to the next"),
-                          &D::reversed, "never"))});
+                          &D::reversed, "never")),
+       hidden(optional<D>("phase_difference",
+                          profile("by which the first phase leads the second; other than 90 deg "
+                                  "with the oscillating engine",
+                                  "rad", "60 deg"),
+                          &D::phase_difference, "90 deg"))});
 }
 
 Shape<MotionStudy::Output> output_shape() {
@@ -84,11 +90,124 @@ Shape<MotionStudy::Output> output_shape() {
                      optional<O>("columns", columns, &O::columns, "all")});
 }
 
+Shape<double> accuracy_shape() {
+  return shape_as<double, std::size_t>(
+      choice("of the oscillating engine: factor of the points of the contact and of the steps of a "
+             "period",
+             {"1", "2", "4"}),
+      [](std::size_t number) { return std::exp2(static_cast<double>(number)); },
+      [](double factor) { return static_cast<std::size_t>(std::lround(std::log2(factor))); });
+}
+
 bool more_than_zero(const Given& given, const char* name, double value, Diagnostics& diagnostics) {
   const YamlNode* node = given.right(name);
   if (node == nullptr || value > 0) return true;
   diagnostics.add(node->mark, given.path(name), quoted(node->scalar), "expected more than 0 s");
   return false;
+}
+
+// A number in either of two units, of a loop that changes the frequency or the voltage.
+Shape<LoopValue> loop_value(const std::string& text, const std::string& in_frequency,
+                            const std::string& in_voltage, const std::string& example) {
+  const auto frequency = quantity(text, in_frequency, example);
+  const auto voltage = quantity(text, in_voltage, "1 " + in_voltage);
+  Shape<LoopValue> shape;
+  shape.schema = frequency.schema;
+  shape.read = [=](LoopValue& into, const YamlNode& node, const Spot& spot,
+                   Diagnostics& diagnostics) {
+    Diagnostics of_voltage(diagnostics.source());
+    into.unit = motion::Actuator::voltage;
+    if (voltage.read(into.value, node, spot, of_voltage)) return true;
+    into.unit = motion::Actuator::frequency;
+    return frequency.read(into.value, node, spot, diagnostics);
+  };
+  shape.write = [=](const LoopValue& from) {
+    return from.unit == motion::Actuator::voltage ? voltage.write(from.value)
+                                                  : frequency.write(from.value);
+  };
+  return shape;
+}
+
+// 'auto', or both gains.
+Shape<std::optional<MotionControl::Gains>> gains_shape() {
+  using G = MotionControl::Gains;
+  using Given = std::optional<G>;
+  const auto automatic = shape_as<Given, std::size_t>(
+      choice("from the plant at the largest reference (M8.1)", {"auto"}),
+      [](std::size_t) { return Given{}; }, [](const Given&) { return std::size_t{0}; });
+  const auto numbers = mapping<G>(
+      "gains of the controller",
+      {required<G>("kp", loop_value("proportional gain", "Hz.s/rad", "V.s/rad", "-12.6 Hz.s/rad"),
+                   &G::kp),
+       required<G>("ki", loop_value("integral gain", "Hz/rad", "V/rad", "-25253 Hz/rad"), &G::ki)});
+  const auto given = shape_as<Given, G>(
+      numbers, [](G gains) { return Given{gains}; }, [](const Given& gains) { return *gains; });
+  auto shape = one_of<Given>("gains of the controller", {automatic, given},
+                             [](const Given& gains) { return gains ? std::size_t{1} : 0; });
+  shape.schema.example = "auto";
+  return shape;
+}
+
+Shape<MotionControl> position_shape(const Shape<std::vector<LoopValue>>& range) {
+  using C = MotionControl;
+  C fresh;
+  fresh.kind = C::Kind::position, fresh.encoder = 4000;
+  return mapping<C>(
+      "a sampled loop of the angle, with bursts near the goal",
+      {selector<C>("kind", "what is controlled", "position"),
+       required<C>("reference", profile("the angle that is asked for", "rad", "0.5 rad"),
+                   &C::reference),
+       standard<C>("sample_time", quantity("time between samples", "s", "1 ms"), &C::sample_time),
+       standard<C>("delay", count("whole samples from a measurement to its output", "1", 0, 100),
+                   &C::delay),
+       standard<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder),
+       optional<C>("range", range, &C::range, "the motor's frequency_range"),
+       hidden(optional<C>(
+           "slew",
+           loop_value("largest fall of the frequency over time", "Hz/s", "V/s", "200 kHz/s"),
+           &C::slew, "any")),
+       optional<C>("gain", quantity("speed over the way that is left", "1/s", "150 1/s"), &C::gain,
+                   "1 over three times the dead time"),
+       standard<C>("window",
+                   count("counts from the goal within which the drive stays off", "2", 1, 1e6),
+                   &C::window),
+       standard<C>("off_time",
+                   quantity("with the drive off before phases are swapped", "s", "1.5 ms"),
+                   &C::off_time)},
+      {}, fresh);
+}
+
+Shape<MotionControl> control_shape() {
+  using C = MotionControl;
+  auto range = list("least and largest output",
+                    loop_value("an end of the range", "Hz", "V", "39.7 kHz"), 2, 2);
+  range.schema.example = "[39.7 kHz, 44.5 kHz]";
+  const auto speed = mapping<C>(
+      "a sampled loop of the speed",
+      {selector<C>("kind", "what is controlled", "speed"),
+       required<C>("reference", profile("the speed that is asked for", "rad/s", "100 rpm"),
+                   &C::reference),
+       standard<C>("sample_time", quantity("time between samples", "s", "1 ms"), &C::sample_time),
+       standard<C>("delay", count("whole samples from a measurement to its output", "1", 0, 100),
+                   &C::delay),
+       optional<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder,
+                   "an exact angle"),
+       optional<C>("actuator",
+                   word<motion::Actuator>("what the loop changes", {"frequency", "voltage"}),
+                   &C::actuator, "the motor's control"),
+       optional<C>("range", range, &C::range, "the motor's frequency_range"),
+       optional<C>("start_frequency", quantity("at the beginning", "Hz", "43.6 kHz"),
+                   &C::start_frequency, "the upper end of the range"),
+       hidden(optional<C>("start_voltage", quantity("at the beginning", "V", "120 V"),
+                          &C::start_voltage, "the motor's voltage")),
+       hidden(optional<C>("slew",
+                          loop_value("largest change over time", "Hz/s", "V/s", "400 kHz/s"),
+                          &C::slew, "any")),
+       standard<C>("gains", gains_shape(), &C::gains)});
+  return one_of<C>("a loop in place of a given frequency or voltage",
+                   {speed, position_shape(range)},
+                   [](const C& control) { return static_cast<std::size_t>(control.kind); }, "kind",
+                   {"speed", "position"});
 }
 
 bool has_duration(MotionStudy& study, const Given& given, Diagnostics& diagnostics) {
@@ -112,10 +231,15 @@ Shape<MotionStudy> MotionStudy::shape() {
        required<M>("duration", quantity("how long the motion is followed", "s", "40 ms"),
                    &M::duration),
        hidden(standard<M>(
-           "engine", word<MotionEngine>("one wave, averaged over each vibration", {"averaged"}),
+           "engine",
+           word<motion::MotionEngine>(
+               "one wave, averaged over each vibration, or every vibration of two waves",
+               {"averaged", "oscillating"}),
            &M::engine)),
+       hidden(optional<M>("accuracy", accuracy_shape(), &M::accuracy, "1")),
        standard<M>("initial", initial_shape(), &M::initial),
        hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),
+       hidden(optional<M>("control", control_shape(), &M::control, "none")),
        optional<M>("load", load_shape(), &M::load, "the motor's"),
        optional<M>("output", output_shape(), &M::output, "a thousand rows"),
        optional<M>("measure", measures, &M::measure, "none")},

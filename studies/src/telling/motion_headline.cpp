@@ -43,7 +43,17 @@ std::optional<double> time_to(const MovedMotor& motor, double speed) {
 }
 
 bool runs(const MovedMotor& motor) {
-  return settled(motor).amplitude > 3 * motor.opening_amplitude;
+  return settled(motor).larger_wave() > 3 * motor.opening_amplitude;
+}
+
+Phrase goal_sentence(const MotionResult& answer, const MovedMotor& motor) {
+  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
+  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
+  const double angle = motor.motion.last.angle;
+  append(phrase, {answer.family ? " the rotor ends at " : "The rotor ends at ",
+                  strong(value_part(angle, "rad")), ", ",
+                  value_part(std::abs(angle - *answer.goal), "rad", 2), " from its goal."});
+  return phrase;
 }
 
 Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
@@ -82,8 +92,8 @@ Phrase stopping_sentence(const MovedMotor& motor) {
 
 // The first motor that has no answer or does not run, or the first one.
 const MovedMotor& told_motor(const MotionResult& answer) {
-  const auto odd = std::ranges::find_if(answer.members, [](const MovedMotor& motor) {
-    return motor.motion.status != "ok" || !runs(motor);
+  const auto odd = std::ranges::find_if(answer.members, [&](const MovedMotor& motor) {
+    return motor.motion.status != "ok" || (!answer.goal && !runs(motor));
   });
   return odd == answer.members.end() ? answer.members.front() : *odd;
 }
@@ -97,9 +107,11 @@ Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) 
   if (!complete)
     sentences.push_back({"The motion ", bad("ends early"), ", after ", time_part(motor.motion.end),
                          ": " + reason_of(motor.motion.status) + "."});
-  sentences.push_back(running_sentence(answer, motor));
-  if (complete && motor.off_at && runs(motor)) sentences.push_back(stopping_sentence(motor));
-  return {complete && runs(motor) ? Headline::Look::plain : Headline::Look::bad,
+  const bool moves = answer.goal || runs(motor);
+  sentences.push_back(answer.goal ? goal_sentence(answer, motor) : running_sentence(answer, motor));
+  if (complete && motor.off_at && !answer.goal && runs(motor))
+    sentences.push_back(stopping_sentence(motor));
+  return {complete && moves ? Headline::Look::plain : Headline::Look::bad,
           "",
           sentences,
           {},

@@ -3,8 +3,11 @@
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
 
+#include <twum/io/number.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -96,6 +99,8 @@ constexpr Course kSpeed{"speed", "speed", "rad/s", [](const MotionSample& s) { r
 constexpr Course kCourses[] = {
     {"angle", "angle", "rad", [](const MotionSample& s) { return s.angle; }},
     {"amplitude", "amplitude of the wave", "m", [](const MotionSample& s) { return s.amplitude; }},
+    {"backward_amplitude", "amplitude of the backward wave", "m",
+     [](const MotionSample& s) { return s.backward_amplitude; }},
     {"torque", "torque of the contact", "N.m", [](const MotionSample& s) { return s.torque; }},
     {"voltage", "voltage at a phase", "V", [](const MotionSample& s) { return s.voltage; }},
     {"frequency", "frequency of the drive", "Hz", [](const MotionSample& s) { return s.frequency; },
@@ -133,10 +138,26 @@ void mark_events(Chart& chart, const MotionResult& answer) {
   }
 }
 
+// The error bar of the oscillating engine.
+Phrase step_error_remark(const MotionResult& answer, const MovedMotor& motor) {
+  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
+  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
+  const MotionResult::StepError& error = *motor.step_error;
+  append(
+      phrase,
+      {answer.family ? " errors of points and steps: speed " : "Errors of points and steps: speed ",
+       value_part(error.speed, "rad/s", 2), ", angle ", value_part(error.angle, "rad", 2),
+       ", amplitude ", value_part(error.amplitude, "m", 2),
+       ". These are the largest differences over time from a motion with half as many."});
+  return phrase;
+}
+
 Section courses(const MotionResult& answer) {
   Section section{{"Over time"}, {}};
   section.charts = {course_chart(answer, kSpeed)};
   mark_events(section.charts.front(), answer);
+  for (const MovedMotor& motor : answer.members)
+    if (motor.step_error) section.remarks.push_back(step_error_remark(answer, motor));
   for (const Course& course : kCourses) {
     Chart chart = course_chart(answer, course);
     if (!chart.series.empty()) section.charts.push_back(std::move(chart));
@@ -146,10 +167,62 @@ Section courses(const MotionResult& answer) {
 
 }  // namespace
 
+constexpr double kLeastGainMargin = 2;                      // 6 dB
+constexpr double kLeastPhaseMargin = std::numbers::pi / 4;  // 45 degrees
+
+std::string decibels(double factor) {
+  return std::isfinite(factor) ? rounded_text(20 * std::log10(factor), 3) + " dB" : "no limit";
+}
+
+std::string degrees(double angle) {
+  return std::isfinite(angle) ? rounded_text(angle * 180 / std::numbers::pi, 3) + " deg"
+                              : "no limit";
+}
+
+Section loops(const MotionResult& answer) {
+  Section section{{"The loop"}, {}};
+  Table table{"loop",
+              {{"motor"},
+               {"kp"},
+               {"ki"},
+               {"output"},
+               {"speed"},
+               {"gain margin"},
+               {"phase margin"},
+               {"crossover"}},
+              {}};
+  table.keys = 1;
+  for (const MovedMotor& motor : answer.members) {
+    if (!motor.loop) continue;
+    const MotionResult::Loop& loop = *motor.loop;
+    const std::string unit = loop.actuator == motion::Actuator::voltage ? "V" : "Hz";
+    table.rows.push_back({family_phrase(answer.family, motor.value),
+                          {value_part(loop.gains.proportional, unit + ".s/rad")},
+                          {value_part(loop.gains.integral, unit + "/rad")},
+                          {value_part(loop.plant.output, unit)},
+                          {value_part(loop.plant.speed, "rad/s")},
+                          {decibels(loop.margins.gain)},
+                          {degrees(loop.margins.phase)},
+                          {value_part(loop.margins.crossover, "Hz", 3)}});
+    if (loop.margins.gain < kLeastGainMargin || loop.margins.phase < kLeastPhaseMargin)
+      section.remarks.push_back(
+          {bad("The margins are small"),
+           ": below 6 dB or 45 deg a loop rings, and a motor that differs from its file may make "
+           "it unstable. Take smaller gains, or a shorter sample time or delay."});
+  }
+  section.remarks.push_back(
+      {"Gains and margins are those of the plant at the largest reference; at lower speeds the "
+       "loop is slower."});
+  section.tables = {table};
+  return section;
+}
+
 std::vector<Section> sections_of(const MotionResult& answer, const Sources& /*sources*/) {
   if (answer.members.empty()) return {};
   std::vector<Section> sections{courses(answer)};
   const auto any = [&](auto has) { return std::ranges::any_of(answer.members, has); };
+  if (any([](const MovedMotor& motor) { return motor.loop.has_value(); }))
+    sections.push_back(loops(answer));
   if (any([](const MovedMotor& motor) { return !motor.measures.empty(); }))
     sections.push_back(measures(answer));
   if (any([](const MovedMotor& motor) { return !motor.motion.events.empty(); }))

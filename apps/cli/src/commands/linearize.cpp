@@ -8,14 +8,17 @@
 #include "output.hpp"
 #include "text_table.hpp"
 
+#include <twum/core/frequency_response.hpp>
 #include <twum/io/engineering.hpp>
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
+#include <twum/motion/control.hpp>
 #include <twum/motion/linear_plant.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -30,12 +33,15 @@ constexpr const char* kLinearizeExamples = R"text(Examples:
   twum linearize examples/motors/moving-60.yaml
   twum linearize moving-60.yaml --torque "0.3 N.m" --inertia "1e-4 kg.m^2"
   twum linearize moving-60.yaml --format matlab -o plant.m
-  twum linearize moving-60.yaml --format json -o plant.json)text";
+  twum linearize moving-60.yaml --format json -o plant.json
+  twum linearize moving-60.yaml --from "40.2 kHz" --to "43 kHz" --points 8
+The last one writes a gain schedule: a plant and the gains of a loop of the speed for each frequency.)text";
 
 struct LinearizeOptions {
   MotorOptions motor;
   OutputOptions output;
   std::string torque, inertia;
+  std::string from, to, points, sample_time, delay;  // of a gain schedule
 };
 
 std::array<std::pair<const char*, const LinearPlant::Matrix*>, 4> matrices(const LinearPlant& p) {
@@ -164,6 +170,109 @@ std::string as_matlab(const studies::MotorFile& file, const LinearPlant& plant) 
          "end\n";
 }
 
+std::vector<double> schedule_frequencies(const LinearizeOptions& options) {
+  if (options.from.empty() || options.to.empty())
+    throw InputError("a gain schedule needs both --from and --to");
+  const double from = parse_frequency("--from", options.from);
+  const double to = parse_frequency("--to", options.to);
+  if (!(from < to)) throw InputError("--from has to be below --to");
+  return spaced_frequencies(from, to, parse_count("--points", options.points, 2, 10000));
+}
+
+// "rad/s/Hz" and the other units of a schedule in the order of its columns.
+constexpr std::array<std::pair<const char*, const char*>, 8> kScheduleColumns{
+    {{"frequency", "Hz"},
+     {"speed", "rad/s"},
+     {"gain", "rad/s/Hz"},
+     {"time_constant", "s"},
+     {"slowest_pole_real", "1/s"},
+     {"slowest_pole_imaginary", "1/s"},
+     {"kp", "Hz.s/rad"},
+     {"ki", "Hz/rad"}}};
+
+// Numbers of a row; NaN where the motor does not run.
+std::array<double, 8> schedule_numbers(const motion::ScheduleRow& row) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!row.plant) return {row.output, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+  const motion::LoopPlant& p = *row.plant;
+  return {row.output,
+          p.speed,
+          p.gain,
+          p.time_constant,
+          p.poles.front().real(),
+          std::abs(p.poles.front().imag()),
+          row.gains.proportional,
+          row.gains.integral};
+}
+
+std::string schedule_csv(const std::vector<motion::ScheduleRow>& rows) {
+  std::vector<std::string> cells;
+  for (const auto& [name, unit] : kScheduleColumns)
+    cells.push_back(std::string(name) + " [" + unit + "]");
+  std::string text = csv_line(cells);
+  for (const motion::ScheduleRow& row : rows) {
+    cells.clear();
+    for (const double value : schedule_numbers(row)) cells.push_back(cell_of(value));
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+std::string schedule_json(const studies::MotorFile& file,
+                          const std::vector<motion::ScheduleRow>& rows) {
+  Json json = motor_json(file);
+  json["units"] = Json::object();
+  for (const auto& [name, unit] : kScheduleColumns) json["units"][name] = unit;
+  json["schedule"] = Json::array();
+  for (const motion::ScheduleRow& row : rows) {
+    Json entry = Json::object();
+    const auto numbers = schedule_numbers(row);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      entry[kScheduleColumns[i].first] = number_json(numbers[i]);
+    json["schedule"].push_back(entry);
+  }
+  return json_text(json);
+}
+
+std::string schedule_table(const studies::MotorFile& file,
+                           const std::vector<motion::ScheduleRow>& rows) {
+  TextTable table{{{"frequency", "speed", "K [rad/s/Hz]", "tau", "slowest pole", "kp [Hz.s/rad]",
+                    "ki [Hz/rad]"}}};
+  for (const motion::ScheduleRow& row : rows) {
+    table.rows.push_back({studies::engineering(row.output, "Hz", 5)});
+    if (!row.plant) {
+      table.rows.back().insert(table.rows.back().end(), {"does not run", "", "", "", "", ""});
+      continue;
+    }
+    const motion::LoopPlant& p = *row.plant;
+    table.rows.back().insert(
+        table.rows.back().end(),
+        {studies::engineering(p.speed, "rad/s"), studies::rounded_text(p.gain, 4),
+         studies::engineering(p.time_constant, "s"), pole_text(p.poles.front()),
+         studies::rounded_text(row.gains.proportional, 4),
+         studies::rounded_text(row.gains.integral, 4)});
+  }
+  const std::string name = file.name.empty() ? "motor" : studies::printable(file.name);
+  return name + "\n\n" + aligned(table);
+}
+
+int write_schedule(const LinearizeOptions& options, const studies::MotorFile& file, double torque,
+                   Output& output) {
+  const double sample = parse_time("--sample-time", options.sample_time);
+  const auto delay = static_cast<int>(parse_count("--delay", options.delay, 0, 100));
+  const auto rows = motion::gain_schedule(
+      file.design, torque, motion::Actuator::frequency, schedule_frequencies(options),
+      more_than_zero("--sample-time", sample, options.sample_time), delay);
+  const std::string& format = options.output.format;
+  if (format == "matlab")
+    throw InputError("a gain schedule is written as a table, CSV or JSON, not for MATLAB");
+  output.write(format == "json"  ? schedule_json(file, rows)
+               : format == "csv" ? schedule_csv(rows)
+                                 : schedule_table(file, rows));
+  output.finish();
+  return kDone;
+}
+
 int run_linearize(const LinearizeOptions& options) {
   Output output(options.output.path, {options.motor.path});
   studies::MotorFile file = load_motor(options.motor);
@@ -171,6 +280,8 @@ int run_linearize(const LinearizeOptions& options) {
     file.design =
         with(file.design, Parameter::load_inertia, parse_inertia("--inertia", options.inertia));
   const double torque = options.torque.empty() ? 0 : parse_torque("--torque", options.torque);
+  if (!options.from.empty() || !options.to.empty())
+    return write_schedule(options, file, torque, output);
   const LinearPlant plant = motion::linearize(file.design, torque);
   const std::string& format = options.output.format;
   output.write(format == "json"     ? as_json(file, plant)
@@ -186,6 +297,7 @@ int run_linearize(const LinearizeOptions& options) {
 
 void add_linearize(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LinearizeOptions>();
+  options->points = "11", options->sample_time = "1 ms", options->delay = "1";
   CLI::App* command = app.add_subcommand(
       "linearize", "The motor as a controller sees it near a steady state: matrices, poles, gains");
   add_motor_options(*command, options->motor);
@@ -196,6 +308,18 @@ void add_linearize(CLI::App& app, Action& action) {
       ->add_option("--inertia", options->inertia,
                    "Moment of inertia of the load (default: the motor's)")
       ->type_name("INERTIA");
+  command->add_option("--from", options->from, "Lowest frequency of a gain schedule")
+      ->type_name("FREQUENCY");
+  command->add_option("--to", options->to, "Highest frequency of a gain schedule")
+      ->type_name("FREQUENCY");
+  command->add_option("--points", options->points, "Rows of a gain schedule (default: 11)")
+      ->type_name("N");
+  command
+      ->add_option("--sample-time", options->sample_time,
+                   "Time between samples of the loop, for gains (default: 1 ms)")
+      ->type_name("TIME");
+  command->add_option("--delay", options->delay, "Delay of the loop in samples (default: 1)")
+      ->type_name("N");
   command->footer(kLinearizeExamples);
   command->callback([options, &action] { action = [options] { return run_linearize(*options); }; });
 }

@@ -18,11 +18,12 @@ constexpr const char* kMoveExamples = R"text(Examples:
   twum move moving-60.yaml --time "60 ms" --torque "0.2 N.m" --inertia "1e-4 kg.m^2"
   twum move moving-60.yaml --voltage "130 V" --format csv -o move.csv
   twum move drive-60.yaml --set "rotor_inertia=7e-6 kg.m^2"
+  twum move moving-60.yaml --engine oscillating --set radial_slices=1
 A study of kind 'motion' changes drive and load over time ('twum init motion' writes one).)text";
 
 struct MoveOptions {
   StudyCommand study;
-  std::string time, voltage, frequency, torque, inertia;
+  std::string time, voltage, frequency, torque, inertia, engine;
 };
 
 // Starts at once, and is switched off at two thirds of the time.
@@ -34,6 +35,7 @@ studies::MotionStudy asked_by(const MoveOptions& options) {
   if (!options.frequency.empty())
     asked.drive.frequency = parse_frequency("--frequency", options.frequency);
   if (!options.torque.empty()) asked.load.torque = parse_torque("--torque", options.torque);
+  if (options.engine == "oscillating") asked.engine = motion::MotionEngine::oscillating;
   if (!options.inertia.empty()) asked.load.inertia = parse_inertia("--inertia", options.inertia);
   return asked;
 }
@@ -61,6 +63,12 @@ void add_move(CLI::App& app, Action& action) {
       ->add_option("--inertia", options->inertia,
                    "Moment of inertia of the load (default: the motor's)")
       ->type_name("INERTIA");
+  command
+      ->add_option("--engine", options->engine,
+                   "averaged: one wave; oscillating: every vibration of two waves, slower "
+                   "(default: averaged)")
+      ->check(one_of({"averaged", "oscillating"}))
+      ->type_name("ENGINE");
   command->footer(kMoveExamples);
   command->callback([options, &action] {
     action = [options] { return run_study_command(options->study, asked_by(*options)); };

@@ -166,7 +166,8 @@ struct Rotor {
   /// [kg], used for backward waves only (D6.2); without it the rotor has no inertia in the axial direction
   std::optional<double> mass{};
   std::optional<double>
-      inertia{};  ///< J_r of rotor and shaft about the axis [kg m^2]; motions need it
+      inertia{};            ///< J_r of rotor and shaft about the axis [kg m^2]; motions need it
+  double axial_damping{0};  ///< d_z of its axial motion [N s/m], of oscillating motions
   /// True if all members are equal.
   bool operator==(const Rotor&) const = default;
 };

@@ -101,6 +101,7 @@ enum class Parameter : unsigned char {
   load_stiffness,
   load_neutral,
   off_resistance,
+  axial_damping,
   // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
   substrate_inner_radius,
   substrate_outer_radius,

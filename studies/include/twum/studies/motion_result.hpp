@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/io/column.hpp>
+#include <twum/motion/control.hpp>
 #include <twum/motion/motion.hpp>
 
 #include <optional>
@@ -15,9 +16,23 @@ namespace twum::studies {
 struct MotionResult {
   /// A number of a motion that was asked for.
   struct Measure {
-    std::string text;  ///< as typed, such as "overshoot(speed)"
-    std::string unit;  ///< SI
-    double value{0};   ///< NaN where the motion does not have it
+    std::string text;                    ///< as typed, such as "overshoot(speed)"
+    std::string unit;                    ///< SI
+    double value{0};                     ///< NaN where the motion does not have it
+    std::optional<double> step_error{};  ///< as of StepError
+  };
+  /// How far a motion of the oscillating engine depends on its points and steps: largest differences of two accuracies over time.
+  struct StepError {
+    double speed;      ///< [rad/s]
+    double angle;      ///< [rad]
+    double amplitude;  ///< of either wave [m]
+  };
+  /// A loop that changed the drive.
+  struct Loop {
+    motion::Actuator actuator{};    ///< what it changed
+    motion::LoopGains gains{};      ///< those in use
+    motion::LoopPlant plant{};      ///< where they and the margins hold
+    motion::LoopMargins margins{};  ///< of the linear plant there
   };
   /// One motor.
   struct Member {
@@ -27,11 +42,16 @@ struct MotionResult {
     double opening_amplitude{0};      ///< A_1 [m]
     double holding_torque{0};         ///< without a wave [N m]
     std::optional<double> off_at{};   ///< when the drive was switched off last [s]
+    std::optional<StepError> step_error{};  ///< with the oscillating engine
+    std::optional<Loop> loop{};             ///< of a motion under control
   };
-  std::optional<StoredColumn> family;  ///< nothing for the motor alone
-  double duration{0};                  ///< [s]
-  double step{0};                      ///< between samples [s]
-  std::vector<Member> members;         ///< in the order asked
+  std::optional<StoredColumn> family;                           ///< nothing for the motor alone
+  motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of all motions
+  double accuracy{1};                                           ///< of the oscillating engine
+  std::optional<double> goal{};  ///< last reference of a loop of the position [rad]
+  double duration{0};            ///< [s]
+  double step{0};                ///< between samples [s]
+  std::vector<Member> members;   ///< in the order asked
 };
 
 }  // namespace twum::studies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/motion/control.hpp>
 #include <twum/motion/motion.hpp>
 #include <twum/motors/column_choice.hpp>
 #include <twum/motors/statistic.hpp>
@@ -129,21 +130,58 @@ struct LifeStudy {
   std::optional<LoadPoint> load() const;
 };
 
-/// How motions are computed.
-enum class MotionEngine : unsigned char {
-  averaged  ///< one wave, averaged over each vibration
-};
-
 /// A number of a motion that is asked for.
 struct MotionMeasure {
   /// What it is.
-  enum class Kind : unsigned char { time_to, overshoot, peak, angle_after, energy, time_of };
+  enum class Kind : unsigned char {
+    time_to,
+    settling_time,
+    overshoot,
+    peak,
+    angle_after,
+    energy,
+    time_of
+  };
   std::string text;               ///< as typed, such as "time_to(speed, 90 %)"
   Kind kind{Kind::time_to};       ///< what it is
-  std::string column{};           ///< of time_to, overshoot and peak; the event of time_of
-  std::optional<double> share{};  ///< of the value before the drive is switched off, of time_to
+  std::string column{};           ///< of those that have one; the event of time_of
+  std::optional<double> share{};  ///< of the value before the drive is switched off
   double at{0};                   ///< a level in SI, or a time [s]
   double to{0};                   ///< end of an interval [s]
+};
+
+/// A number of a loop's output: a frequency or a voltage, or a rate or gain of one.
+struct LoopValue {
+  double value{0};                                     ///< SI
+  motion::Actuator unit{motion::Actuator::frequency};  ///< that of its unit
+};
+
+/// A loop that changes the drive in a motion.
+struct MotionControl {
+  /// What it keeps to its reference.
+  enum class Kind : unsigned char { speed, position };
+  Kind kind{Kind::speed};                      ///< of the loop
+  motion::Profile reference{};                 ///< of the speed [rad/s] or the angle [rad]
+  double sample_time{1e-3};                    ///< [s]
+  std::uint64_t delay{1};                      ///< samples
+  std::optional<std::uint64_t> encoder{};      ///< counts a turn; none: the angle is exact
+  std::optional<motion::Actuator> actuator{};  ///< none: that of the motor's control
+  std::vector<LoopValue> range{};              ///< two, or none: the motor's range of frequencies
+  std::optional<double> start_frequency{};     ///< [Hz]; none: the upper end of the range
+  std::optional<double> start_voltage{};       ///< [V]; none: the motor's voltage
+  std::optional<LoopValue> slew{};             ///< over time
+  /// Gains of the controller.
+  struct Gains {
+    LoopValue kp;  ///< [Hz.s/rad or V.s/rad]
+    LoopValue ki;  ///< [Hz/rad or V/rad]
+  };
+  std::optional<Gains> gains{};  ///< of the speed; none: those of (M8.1)
+  std::optional<double> gain{};  ///< of a position [1/s]; none: that of motion::PositionControl
+  std::uint64_t window{2};       ///< of a position, counts within which the drive stays off
+  double off_time{1.5e-3};       ///< of a position, before phases are swapped [s]
+
+  /// What it changes on a motor.
+  motion::Actuator actuator_of(const MotorDesign& motor) const;
 };
 
 /// A motor in time: starts, stops, changes of load and drive; of one motor, or of a family over one parameter.
@@ -164,25 +202,28 @@ struct MotionStudy {
   };
   /// What is done to the drive; what is left out is the motor's.
   struct Drive {
-    std::optional<motion::Profile> voltage{};      ///< [V]
-    std::optional<motion::Profile> amplitude{};    ///< [m]
-    std::optional<motion::Profile> frequency{};    ///< [Hz]
-    std::vector<motion::Interval> switched_off{};  ///< may be empty
-    std::vector<motion::Interval> reversed{};      ///< phases swapped; may be empty
+    std::optional<motion::Profile> voltage{};           ///< [V]
+    std::optional<motion::Profile> amplitude{};         ///< [m]
+    std::optional<motion::Profile> frequency{};         ///< [Hz]
+    std::vector<motion::Interval> switched_off{};       ///< may be empty
+    std::vector<motion::Interval> reversed{};           ///< phases swapped; may be empty
+    std::optional<motion::Profile> phase_difference{};  ///< [rad]; none: a quarter of a turn
   };
   /// What is stored.
   struct Output {
     std::optional<double> step{};        ///< between rows [s]; none: a thousandth of the duration
     std::vector<std::size_t> columns{};  ///< of the columns of a motion; none: all
   };
-  std::optional<CurveStudy::Family> family{};   ///< none: the motor alone
-  double duration{0};                           ///< [s]
-  MotionEngine engine{MotionEngine::averaged};  ///< of the motion
-  motion::InitialState initial{};               ///< at rest
-  Drive drive{};                                ///< over time
-  Load load{};                                  ///< over time
-  Output output{};                              ///< what is stored
-  std::vector<MotionMeasure> measure{};         ///< may be empty
+  std::optional<CurveStudy::Family> family{};                   ///< none: the motor alone
+  double duration{0};                                           ///< [s]
+  motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of the motion
+  std::optional<double> accuracy{};        ///< of the oscillating engine; none: 1
+  motion::InitialState initial{};          ///< at rest
+  Drive drive{};                           ///< over time
+  Load load{};                             ///< over time
+  std::optional<MotionControl> control{};  ///< in place of a given frequency or voltage
+  Output output{};                         ///< what is stored
+  std::vector<MotionMeasure> measure{};    ///< may be empty
 
   /// Time between rows [s].
   double step() const;

@@ -38,6 +38,19 @@ double time_to(Samples samples, const MotionColumn& column, double level) {
   return kNoValue;
 }
 
+// When a number came to stay within a share of its last value, linear between two samples.
+double settling_time(Samples samples, const MotionColumn& column, double share) {
+  const double last = column.of(samples.back()), allowed = share * std::abs(last);
+  for (std::size_t i = samples.size(); i-- > 0;) {
+    const double distance = std::abs(column.of(samples[i]) - last);
+    if (!(distance > allowed)) continue;
+    const double next = std::abs(column.of(samples[i + 1]) - last);
+    const double way = (distance - allowed) / (distance - next);
+    return std::lerp(samples[i].time, samples[i + 1].time, way);
+  }
+  return samples.front().time;
+}
+
 double largest(Samples samples, const MotionColumn& column) {
   double found = 0;
   for (const Sample& s : samples)
@@ -60,6 +73,9 @@ double number_of(const MotionMeasure& asked, Samples samples,
     case Kind::time_to:
       return time_to(samples, *column,
                      asked.share ? *asked.share * column->of(*settled) : asked.at);
+    case Kind::settling_time:
+      return settling_time(samples.first(static_cast<std::size_t>(settled - samples.data()) + 1),
+                           *column, *asked.share);
     case Kind::overshoot: return largest(samples, *column) / column->of(*settled) - 1;
     case Kind::peak: return largest(samples, *column);
     case Kind::angle_after:
@@ -81,6 +97,7 @@ std::string unit_of(const MotionMeasure& asked) {
   using Kind = MotionMeasure::Kind;
   switch (asked.kind) {
     case Kind::time_to:
+    case Kind::settling_time:
     case Kind::time_of: return "s";
     case Kind::overshoot: return "1";
     case Kind::peak: return find_motion_column(asked.column)->unit;
@@ -97,6 +114,18 @@ std::vector<double> times_of(const MotionMeasure& measure) {
   if (measure.kind == Kind::angle_after) return {measure.at};
   if (measure.kind == Kind::energy) return {measure.at, measure.to};
   return {};
+}
+
+MotionResult::StepError step_error(Samples fine, Samples coarse) {
+  MotionResult::StepError error{0, 0, 0};
+  for (std::size_t i = 0; i < std::min(fine.size(), coarse.size()); ++i) {
+    const Sample &a = fine[i], &b = coarse[i];
+    error.speed = std::max(error.speed, std::abs(a.speed - b.speed));
+    error.angle = std::max(error.angle, std::abs(a.angle - b.angle));
+    error.amplitude = std::max({error.amplitude, std::abs(a.amplitude - b.amplitude),
+                                std::abs(a.backward_amplitude - b.backward_amplitude)});
+  }
+  return error;
 }
 
 std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,

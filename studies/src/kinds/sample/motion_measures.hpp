@@ -23,4 +23,8 @@ std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& as
                                             std::span<const motion::MotionEvent> events,
                                             double last_on);
 
+/// Largest differences between two motions of the same times, as far as both have samples.
+MotionResult::StepError step_error(std::span<const motion::MotionSample> fine,
+                                   std::span<const motion::MotionSample> coarse);
+
 }  // namespace twum::studies

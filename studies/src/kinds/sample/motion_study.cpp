@@ -6,6 +6,7 @@
 #include <twum/base/no_value.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace twum::studies {
@@ -35,7 +36,8 @@ class MotionRun : public FamilyRun<MotionResult> {
     for (const std::size_t column : asked.output.columns)
       columns_.push_back(&motion_columns()[column]);
     if (columns_.empty())
-      for (const MotionColumn& one : motion_columns()) columns_.push_back(&one);
+      for (const MotionColumn& one : motion_columns())
+        if (!one.of_two_waves || is_oscillating()) columns_.push_back(&one);
   }
 
  private:
@@ -48,6 +50,9 @@ class MotionRun : public FamilyRun<MotionResult> {
   MotionResult frame() const override {
     MotionResult result;
     result.duration = asked_.duration, result.step = asked_.step();
+    result.engine = asked_.engine, result.accuracy = asked_.accuracy.value_or(1);
+    if (asked_.control && asked_.control->kind == MotionControl::Kind::position)
+      result.goal = asked_.control->reference.before(asked_.duration);
     return result;
   }
 
@@ -71,13 +76,39 @@ class MotionRun : public FamilyRun<MotionResult> {
     task.output_times = times_with(times_, asked_.measure, asked_.duration);
     task.go_on = [this](double) { return !asked_to_stop(); };
     Member one;
-    one.motion = motion::simulate(motor.design, task);
+    one.motion = moved(motor.design, task, &one.loop);
     const std::vector<motion::Interval>& off = task.switched_off;
     const double last_on = off.empty() ? asked_.duration : off.front().begin;
     if (!off.empty()) one.off_at = off.back().begin;
     one.measures = measured(asked_.measure, one.motion.samples, one.motion.events, last_on);
     one.opening_amplitude = motion::opening_amplitude(motor.design);
+    if (is_oscillating()) add_step_errors(one, motor.design, task, last_on);
     return one;
+  }
+
+  motion::Motion moved(const MotorDesign& design, const MotionTask& task,
+                       std::optional<MotionResult::Loop>* loop) const {
+    if (!asked_.control) return motion::simulate(design, task);
+    if (asked_.control->kind == MotionControl::Kind::position)
+      return motion::simulate(design, task, position_control(*asked_.control, design));
+    const motion::SpeedControl control = speed_control(*asked_.control, design);
+    motion::ControlledMotion result = motion::simulate(design, task, control);
+    if (loop != nullptr)
+      *loop = MotionResult::Loop{control.actuator, result.gains, result.plant, result.margins};
+    return std::move(result.motion);
+  }
+
+  bool is_oscillating() const { return asked_.engine == motion::MotionEngine::oscillating; }
+
+  // The engine is of first order: half as many points and steps have twice the error, so the difference is the error.
+  void add_step_errors(Member& one, const MotorDesign& design, MotionTask task,
+                       double last_on) const {
+    task.accuracy /= 2;
+    const motion::Motion coarse = moved(design, task, nullptr);
+    one.step_error = step_error(one.motion.samples, coarse.samples);
+    const auto measures = measured(asked_.measure, coarse.samples, coarse.events, last_on);
+    for (std::size_t i = 0; i < measures.size(); ++i)
+      one.measures[i].step_error = std::abs(one.measures[i].value - measures[i].value);
   }
 
   MotionStudy asked_;

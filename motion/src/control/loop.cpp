@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/loop.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace twum::motion {
+
+AngleSensor::AngleSensor(const std::optional<double>& counts) {
+  if (counts) count_ = 2 * std::numbers::pi / *counts;
+}
+
+double AngleSensor::read(double angle) const {
+  return count_ > 0 ? count_ * std::round(angle / count_) : angle;
+}
+
+}  // namespace twum::motion

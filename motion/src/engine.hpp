@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stretches.hpp"
+
+#include <twum/motion/motion.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace twum::motion {
+
+/// A motor that is followed in time, stretch after stretch.
+class Engine {
+ public:
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  /// Takes the state at the beginning, under the first values of drive and load.
+  virtual void begin(const Stretch& first) = 0;
+  /// Follows a stretch to its end. False where the motion ends early.
+  virtual bool follow(const Stretch& stretch) = 0;
+  /// theta_r at the end of the last stretch, or at the beginning [rad].
+  virtual double angle() const = 0;
+  /// Omega there [rad/s].
+  virtual double speed() const = 0;
+  /// What was computed, with samples up to the end of the last stretch.
+  virtual Motion finish() = 0;
+};
+
+/// The engine of a task; `design` and `task` have to outlive it.
+/// @throws InputError as simulate()
+std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& task);
+
+/// The stretches of a task, at whose beginning the engine then is.
+std::vector<Stretch> begun(Engine& engine, const MotionTask& task, bool driven);
+
+/// The motion that an engine makes of a task.
+/// @param driven  by a voltage
+Motion followed(Engine& engine, const MotionTask& task, bool driven);
+
+}  // namespace twum::motion
