@@ -219,12 +219,12 @@ Complex Equations::wave_slope(double time, std::span<const double> y,
   const Complex ddivisor = kI * (q.mass * wave.rates + m.mass * (q.omega + dfree));
   Complex dresistance = q.stiffness_of_wave - 2 * w * m.mass * q.omega - w * w * q.mass +
                         kI * (q.omega * m.damping + w * q.damping) + dstiffness;
-  if (stretch_->off) {
+  if (stretch_.off) {
     dresistance -= q.force_factor * m.off_voltage(w) + m.force_factor * off_voltage_slope(w, q);
     return (-dresistance - wave.growth * ddivisor) / wave.divisor;
   }
   const Complex ddrive = std::numbers::sqrt2 *
-                         (q.force_factor * stretch_->voltage.at(time) + m.force_factor * q.voltage);
+                         (q.force_factor * stretch_.voltage.at(time) + m.force_factor * q.voltage);
   const Complex zeta = zeta_of(y);
   return (ddrive - dresistance * zeta - wave.of(zeta) * ddivisor) / wave.divisor;
 }
@@ -237,7 +237,7 @@ double Equations::power_slope(double time, std::span<const double> y, const Mode
   const Electrical at = electrical(time, y);
   const Complex loss{1, -m.loss_tangent};
   const Complex du =
-      stretch_->off ? off_voltage_slope(w, q) * zeta : Complex{std::numbers::sqrt2 * q.voltage, 0};
+      stretch_.off ? off_voltage_slope(w, q) * zeta : Complex{std::numbers::sqrt2 * q.voltage, 0};
   const Complex dadmittance = kI * (q.omega * m.capacitance * loss + w * q.capacitance * loss -
                                     kI * w * m.capacitance * q.loss_tangent);
   const Complex di = dadmittance * at.voltage + capacitive_admittance(time) * du +
@@ -249,7 +249,7 @@ bool Equations::parameter_slopes(double time, std::span<const double> y, std::sp
   std::ranges::fill(slopes, 0.0);
   const MotionModel& m = *model_;
   const double a = std::max(amplitude(time, y), contact_.floor());
-  const double direction = stretch_->direction, speed = contact_speed(y[kSpeed]);
+  const double direction = stretch_.direction, speed = contact_speed(y[kSpeed]);
   const ContactGradients contact = slopes_->contact().at(a, direction * speed);
   if (contact.status != PointStatus::ok) return false;
   States rates{};
@@ -259,9 +259,9 @@ bool Equations::parameter_slopes(double time, std::span<const double> y, std::sp
     const std::span<double> column = slopes.subspan(kStateCount * k++, kStateCount);
     if (m.driven) {
       const Complex wave = wave_slope(time, y, contact, q);
-      const Complex rate = stretch_->off ? wave.real() * zeta_of(y) : wave;
+      const Complex rate = stretch_.off ? wave.real() * zeta_of(y) : wave;
       column[kReal] = rate.real(), column[kImaginary] = rate.imag();
-      column[kTurn] = stretch_->off ? wave.imag() : 0;
+      column[kTurn] = stretch_.off ? wave.imag() : 0;
       column[kEnergy] = power_slope(time, y, q);
     }
     if (!mode_.held) {

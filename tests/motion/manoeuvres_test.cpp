@@ -55,6 +55,37 @@ TEST_CASE("a rotor hops where another program says so (M4.5)", "[motion][manoeuv
   }
 }
 
+// Whether something that a motion leaves out has grown in 20 ms of a start.
+bool has_grown(const MotorDesign& d, MotionEventKind kind, std::vector<Interval> reversed = {}) {
+  MotionTask task = steady_drive(d, 0.02);
+  task.output_times = times_to(0.02, 2000);
+  task.reversed = std::move(reversed);
+  Motion motion = simulate(d, task);
+  REQUIRE(motion.status == "ok");
+  add_what_is_left_out(d, task, motion);
+  CHECK(std::ranges::is_sorted(motion.events, {}, &MotionEvent::time));
+  return std::ranges::count(motion.events, kind, &MotionEvent::kind) > 0;
+}
+
+TEST_CASE("a motion tells where what it leaves out has grown", "[motion][manoeuvres][reference]") {
+  const auto motor = [](double inertia, double damping) {
+    MotorDesign d = elastic_60(inertia);
+    d.rotor.mass = 0.1, d.rotor.axial_damping = damping;
+    return d;
+  };
+  // motion.md: a load of 1e-3 kg m^2 passes the squealing speeds slowly, G = 18; the bare rotor in 0.1 ms, G = 0.2.
+  CHECK(has_grown(motor(1e-3, 300), MotionEventKind::squeals));
+  CHECK_FALSE(has_grown(motor(7e-6, 300), MotionEventKind::squeals));
+  // Near no-load an undamped rotor hops at a rate of 1,346 1/s; 270 N s/m are enough against it.
+  CHECK(has_grown(motor(1e-4, 0), MotionEventKind::bounces));
+  CHECK_FALSE(has_grown(motor(1e-4, 300), MotionEventKind::bounces));
+  // Backward likewise.
+  CHECK(has_grown(motor(1e-4, 0), MotionEventKind::bounces, {{0, 0.02}}));
+  MotorDesign light = motor(1e-3, 0);
+  light.rotor.mass.reset();
+  CHECK_FALSE(has_grown(light, MotionEventKind::bounces));
+}
+
 TEST_CASE("rates and gains are those of the linear plant", "[motion][manoeuvres]") {
   // Poles -1,760 +- 3,753 i and -382: motion.md's program.
   CHECK(value(elastic_60(1e-4), under(M::settling_rate_at, 0)) == Approx(1760).epsilon(5e-4));

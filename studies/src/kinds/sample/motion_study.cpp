@@ -77,6 +77,8 @@ class MotionRun : public FamilyRun<MotionResult> {
     task.go_on = [this](double) { return !asked_to_stop(); };
     Member one;
     one.motion = moved(motor.design, task, &one.loop);
+    if (!is_oscillating() && !may_swap())
+      motion::add_what_is_left_out(motor.design, task, one.motion);
     const std::vector<motion::Interval>& off = task.switched_off;
     const double last_on = off.empty() ? asked_.duration : off.front().begin;
     if (!off.empty()) one.off_at = off.back().begin;
@@ -96,6 +98,11 @@ class MotionRun : public FamilyRun<MotionResult> {
     if (loop != nullptr)
       *loop = MotionResult::Loop{control.actuator, result.gains, result.plant, result.margins};
     return std::move(result.motion);
+  }
+
+  // A loop of the position swaps phases where it needs to.
+  bool may_swap() const {
+    return asked_.control && asked_.control->kind == MotionControl::Kind::position;
   }
 
   bool is_oscillating() const { return asked_.engine == motion::MotionEngine::oscillating; }
