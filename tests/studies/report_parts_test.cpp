@@ -43,6 +43,25 @@ TEST_CASE("columns are encoded as RFC 4648 does", "[studies][report]") {
   CHECK(encoded({0x6f66, 0x626f, 0x7261}) == "Zm9vYmFy");
 }
 
+TEST_CASE("the module of a page is encoded as Ascii85 is, with other letters",
+          "[studies][report]") {
+  // "Man " is 9jqo^ there: the digits 24, 73, 80, 78, 61.
+  const std::string letters =
+      "()*+,-./0123456789:;=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}~";
+  REQUIRE(letters.size() == 85);
+  const auto written = [&](std::initializer_list<std::size_t> digits) {
+    std::string text;
+    for (const std::size_t digit : digits) text += letters[digit];
+    return text;
+  };
+  CHECK(base85("") == "");
+  CHECK(base85("Man ") == written({24, 73, 80, 78, 61}));
+  CHECK(base85(std::string(4, '\0')) == written({0, 0, 0, 0, 0}));
+  CHECK(base85("\xff\xff\xff\xff") == written({82, 23, 54, 12, 0}));
+  // A byte is two digits: 0x4d000000 = 24 * 85^4 + 62 * 85^3 + ...
+  CHECK(base85("M") == written({24, 62}));
+}
+
 TEST_CASE("the curve of a report begins at the torque of the plateau (C8.5)", "[studies][report]") {
   const ElasticLayer exact{elastic_motor()};
   const Json curve =

@@ -184,6 +184,7 @@ void add_motor(py::module_& module) {
   add_making(motor);
   add_parameters(motor);
   add_answers(motor);
+  add_motions(motor);
 }
 
 }  // namespace twum::python

@@ -10,6 +10,7 @@
     motor.gradients("peak_power")["peak_power"]["thickness"]
     twum.evaluate(motor, {"preload": loads}, "stall_torque, no_load_speed")
     twum.gradients(motor, {"preload": loads}, "stall_torque")["stall_torque"]["preload"]
+    motor.move("20 ms", switched_off=[("15 ms", "20 ms")])["speed"]
     twum.run("study.yaml").summary
 
 Numbers are in SI units, texts carry their unit. parameter_table() and metric_table() list the names.
@@ -40,7 +41,7 @@ except ModuleNotFoundError as error:
     from ._missing import how_to_build
 
     raise ImportError(how_to_build()) from None
-from .results import Curve, Derivatives, Fields, Optimum, Study, StudyResult, read_result, run
+from .results import Curve, Derivatives, Fields, Motion, Optimum, Plant, Study, StudyResult, read_result, run
 
 __all__ = [
     "Curve",
@@ -52,9 +53,11 @@ __all__ = [
     "Fields",
     "FileError",
     "InputError",
+    "Motion",
     "Motor",
     "OperatingPoint",
     "Optimum",
+    "Plant",
     "StoreError",
     "Study",
     "StudyResult",

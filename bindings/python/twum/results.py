@@ -94,6 +94,54 @@ class Fields:
 
 
 @dataclass(frozen=True, eq=False)
+class Motion:
+    """A motion in time: arrays over the times, SI units, and what happened.
+
+    motion['speed'] is one of the arrays in `columns`; they end where the motion ends, at `end`.
+    """
+
+    motor: _twum.Motor = field(repr=False)
+    columns: dict[str, Floats] = field(repr=False)  # time, speed, angle, amplitude, torque and others
+    events: list[dict[str, Any]]  # event, time, speed, angle, amplitude, in the order of time
+    status: str  # 'ok', or why it ended early
+    end: float  # time that was reached [s]
+
+    def __getitem__(self, name: str) -> Floats:
+        return self.columns[name]
+
+    def time_of(self, event: str) -> float:
+        """When an event such as 'held' happened first [s]; NaN if it did not."""
+        return next((one["time"] for one in self.events if one["event"] == event), float("nan"))
+
+    def to_frame(self) -> Any:
+        """The arrays as a DataFrame of pandas, a row for each time."""
+        return _frame(self.columns)
+
+
+@dataclass(frozen=True, eq=False)
+class Plant:
+    """A motor near a steady state: x' = a x + b u, y = c x + d u for changes of states, inputs and outputs, SI units.
+
+    `control.ss(*plant.matrices)` is the system of python-control.
+    """
+
+    motor: _twum.Motor = field(repr=False)
+    states: dict[str, float]  # their steady values by name, in the order of the matrices
+    inputs: dict[str, float]
+    outputs: dict[str, float]
+    a: Floats = field(repr=False)
+    b: Floats = field(repr=False)
+    c: Floats = field(repr=False)
+    d: Floats = field(repr=False)
+    poles: NDArray[np.complex128]  # without the angle, which integrates the speed; the slowest first [1/s]
+    gains: Floats = field(repr=False)  # steady changes of the outputs but the angle over those of the inputs
+
+    @property
+    def matrices(self) -> tuple[Floats, Floats, Floats, Floats]:
+        return self.a, self.b, self.c, self.d
+
+
+@dataclass(frozen=True, eq=False)
 class Derivatives:
     """A metric of many designs with its exact derivatives: arrays over the designs, SI units.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core of twum, compiled for pages: numbers in, numbers out. All values are SI.
 
-import {bytesOf} from '../bytes.js';
+import {bytesOfLetters} from '../bytes.js';
 
 /** Thrown where the core has no answer for a motor; the message says why. */
 export class CoreError extends Error {}
@@ -17,9 +17,9 @@ const edgeNumbers = {
   supported: 2
 };
 
-/** The compiled module from its base64. */
+/** The compiled module from its letters. */
 export async function compiledCore(text) {
-  const unpacked = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const unpacked = new Blob([bytesOfLetters(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
   return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
 }
 

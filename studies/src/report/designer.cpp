@@ -19,7 +19,7 @@ std::string designer_html(const MotorFile& motor) {
                   {"units", units_json()},
                   {"materials", materials_json()},
                   {"motor", stated_motor_json(motor.name, motor.design)},
-                  {"core", base64(assets::core_module())}};
+                  {"core", base85(assets::core_module())}};
   std::string page = dressed(assets::designer_page(), {assets::style(), assets::style_hash()},
                              {assets::designer_script(), assets::designer_script_hash()});
   page = filled(page, "/*UNITS*/", embedded(display_units_json(data)));

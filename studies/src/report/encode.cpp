@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/encode.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace twum::studies {
@@ -28,6 +31,25 @@ std::string encoded(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+std::string base85(std::string_view bytes) {
+  const auto letter = [](std::uint32_t digit) {
+    const std::uint32_t at = '(' + digit;
+    return static_cast<char>(at < '<' ? at : at + 1 < '\\' ? at + 1 : at + 2);
+  };
+  std::string text;
+  text.reserve((bytes.size() + 3) / 4 * 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t group = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      group = group << 8U | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    std::array<char, 5> digits{};
+    for (std::size_t k = digits.size(); k-- > 0; group /= 85) digits[k] = letter(group % 85);
+    // n bytes are n + 1 digits
+    text.append(digits.data(), std::min<std::size_t>(4, bytes.size() - i) + 1);
+  }
+  return text;
+}
 
 std::string base64(std::string_view bytes) { return encoded(std::as_bytes(std::span(bytes))); }
 std::string base64(std::span<const double> values) { return encoded(std::as_bytes(values)); }

@@ -16,4 +16,8 @@ std::string base64(std::span<const float> values);
 std::string base64(std::span<const std::uint16_t> values);
 std::string base64(std::span<const std::uint32_t> values);
 
+/// What is large, in 15/16 of the letters of base64: four bytes are five digits of base 85, written as the letters from ( to ~
+/// without < and \.
+std::string base85(std::string_view bytes);
+
 }  // namespace twum::studies

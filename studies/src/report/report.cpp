@@ -140,7 +140,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
                              {assets::script(), assets::script_hash()});
   page = filled(page, "/*UNITS*/", embedded(display_units_json(data)));
-  page = filled(page, "/*CORE*/", base64(assets::core_module()));
+  page = filled(page, "/*CORE*/", base85(assets::core_module()));
   return filled(page, "/*DATA*/", embedded(data));
 }
 

@@ -4,6 +4,7 @@
 #include "kinds/sample/motion_measures.hpp"
 
 #include <twum/base/no_value.hpp>
+#include <twum/motion/left_out.hpp>
 
 #include <algorithm>
 #include <cmath>
