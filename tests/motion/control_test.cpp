@@ -277,7 +277,7 @@ TEST_CASE("a gain schedule has the plant of each frequency", "[motion][control][
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].plant->gain == Approx(-21.8e-3).epsilon(0.003));  // to the digits given
   CHECK(rows[1].plant->gain == Approx(-3.5e-3).epsilon(0.015));
-  const auto none = gain_schedule(elastic_60(1e-4, 20), 0, Actuator::frequency, {44e3}, 1e-3, 1);
+  const auto none = gain_schedule(elastic_60(1e-4), 2, Actuator::frequency, {44e3}, 1e-3, 1);
   CHECK_FALSE(none[0].plant.has_value());
 }
 

@@ -127,3 +127,73 @@ TEST_CASE("a motion is told by its start and its stop", "[studies][motion]") {
   weak.drive.voltage = 80.0;
   CHECK(summary_text(moved(weak)).find("does not run") != std::string::npos);
 }
+
+TEST_CASE("a motion in each vibration tells the error of its points and steps",
+          "[studies][motion]") {
+  MotionStudy asked = start_and_stop();
+  asked.engine = motion::MotionEngine::oscillating;
+  asked.measure = {motion_measure("overshoot(speed)"), motion_measure("time_of(started)")};
+  const StudyResult result = moved(asked);
+  const MotionResult::Member& motor = motion_of(result).members.at(0);
+  REQUIRE(motor.motion.status == "ok");
+  REQUIRE(motor.step_error.has_value());
+  // The largest difference is beyond that at the end of the run, which is the difference of two motions.
+  motion::MotionTask task = motion::steady_drive(moving_motor(), 0.03);
+  task.engine = motion::MotionEngine::oscillating, task.accuracy = 0.5;
+  task.switched_off = asked.drive.switched_off, task.output_times = {0.02};
+  const double coarse = motion::simulate(moving_motor(), task).samples.at(0).speed;
+  task.accuracy = 1;
+  const double fine = motion::simulate(moving_motor(), task).samples.at(0).speed;
+  CHECK(motor.step_error->speed >= std::abs(fine - coarse));
+  CHECK(motor.step_error->speed < 0.05 * fine);
+  REQUIRE(motor.measures.at(0).step_error.has_value());
+  CHECK(*motor.measures[0].step_error < 0.05);
+  const std::string text = summary_text(result);
+  CHECK(text.find("half as many") != std::string::npos);
+}
+
+TEST_CASE("a settling time is the last time outside a share of the last value",
+          "[studies][motion]") {
+  MotionStudy asked;
+  asked.duration = 0.02;
+  asked.load.inertia = 93e-6;
+  asked.measure = {motion_measure("settling_time(speed, 5 %)")};
+  const StudyResult result = moved(asked);
+  const MotionResult::Member& motor = motion_of(result).members.at(0);
+  const auto& samples = motor.motion.samples;
+  const double last = samples.back().speed, settled = motor.measures.at(0).value;
+  CHECK(settled > 0.001);
+  for (const auto& s : samples) {
+    const double distance = std::abs(s.speed / last - 1);
+    if (s.time > settled) CHECK(distance <= 0.05);
+    if (s.time < settled && s.time > settled - 21e-6) CHECK(distance > 0.05);  // the sample before
+  }
+}
+
+TEST_CASE("a loop's study is that of the engine, with gains and margins", "[studies][motion]") {
+  MotionStudy asked;
+  asked.duration = 0.05;
+  asked.load.inertia = 93e-6;
+  asked.control.emplace();
+  asked.control->reference = 12.0;
+  asked.control->range = {{39.7e3}, {44.5e3}};
+  const StudyResult result = moved(asked);
+  const MotionResult::Member& motor = motion_of(result).members.at(0);
+  MotorDesign design = moving_motor();
+  design.load = ShaftLoad{.inertia = 93e-6};
+  motion::SpeedControl control;
+  control.reference = 12.0, control.range = {39.7e3, 44.5e3}, control.start = 44.5e3;
+  const motion::ControlledMotion direct =
+      motion::simulate(design, motion::steady_drive(design, 0.05), control);
+  CHECK(motor.motion.last.speed == direct.motion.last.speed);
+  REQUIRE(motor.loop.has_value());
+  CHECK(motor.loop->gains.integral == direct.gains.integral);
+  CHECK(motor.loop->margins.phase == direct.margins.phase);
+  CHECK(summary_text(result).find("phase margin") != std::string::npos);
+  // A position is told by its goal.
+  asked.control->kind = MotionControl::Kind::position;
+  asked.control->reference = 0.2, asked.control->range = {{40.2e3}, {43.6e3}};
+  asked.control->slew = LoopValue{2e5};
+  asked.control->gain = 60;
+  CHECK(summary_text(moved(asked)).find("from its goal") != std::string::npos);
+}

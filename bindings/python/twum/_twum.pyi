@@ -194,6 +194,7 @@ class Motor:
         load_stiffness: _Quantity = ...,
         load_neutral: _Quantity = ...,
         off_resistance: _Quantity = ...,
+        axial_damping: _Quantity = ...,
         substrate_inner_radius: _Quantity = ...,
         substrate_outer_radius: _Quantity = ...,
         substrate_thickness: _Quantity = ...,
@@ -326,6 +327,7 @@ class Motor:
         load_stiffness: _Quantity = ...,
         load_neutral: _Quantity = ...,
         off_resistance: _Quantity = ...,
+        axial_damping: _Quantity = ...,
         substrate_inner_radius: _Quantity = ...,
         substrate_outer_radius: _Quantity = ...,
         substrate_thickness: _Quantity = ...,
@@ -537,6 +539,8 @@ class Motor:
     def load_neutral(self) -> float: ...
     @property
     def off_resistance(self) -> float: ...
+    @property
+    def axial_damping(self) -> float: ...
     @property
     def substrate_inner_radius(self) -> float: ...
     @property

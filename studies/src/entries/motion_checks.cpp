@@ -125,6 +125,7 @@ class MotionCheck {
       say("control", "no range of its output",
           by_voltage ? "give range, such as [100 V, 160 V]"
                      : "give range, such as [39.7 kHz, 44.5 kHz], or stator.frequency_range");
+    check_numbers_of(control);
     const auto check_unit = [&](const char* entry, const LoopValue& value) {
       if (value.unit == actuator) return true;
       say(std::string("control.") + entry,
@@ -144,6 +145,36 @@ class MotionCheck {
           by_voltage ? "a frequency, but the loop changes the voltage"
                      : "a voltage, but the loop changes the frequency",
           by_voltage ? "give start_voltage" : "give start_frequency");
+  }
+
+  // Numbers of a loop that are impossible whatever the motor.
+  void check_numbers_of(const MotionControl& control) {
+    const auto positive = [&](const char* entry, double value, const char* unit) {
+      if (!(value > 0))
+        say(std::string("control.") + entry, engineering(value, unit), "expected more than 0");
+    };
+    positive("sample_time", control.sample_time, "s");
+    if (control.slew) positive("slew", control.slew->value, "1/s");
+    if (control.gain) positive("gain", *control.gain, "1/s");
+    if (control.off_time < 0)
+      say("control.off_time", engineering(control.off_time, "s"), "expected 0 s or more");
+    const auto backward = [](const motion::Profile::Row& row) { return row.second < 0; };
+    if (control.kind == MotionControl::Kind::speed &&
+        std::ranges::any_of(control.reference.rows(), backward))
+      say("control.reference", "a negative speed",
+          "expected 0 or more; a loop of the speed does not swap the phases");
+    if (control.range.size() != 2) return;
+    const double least = control.range[0].value, most = control.range[1].value;
+    if (!(least < most))
+      return say("control.range", "a range that does not rise",
+                 "expected such as [39.7 kHz, 44.5 kHz]");
+    const auto within = [&](const char* entry, const std::optional<double>& start) {
+      if (start && !(*start >= least && *start <= most))
+        say(std::string("control.") + entry, "a start outside the range of the output",
+            "give one within the range");
+    };
+    within("start_frequency", control.start_frequency);
+    within("start_voltage", control.start_voltage);
   }
 
   void check_one_wave() {

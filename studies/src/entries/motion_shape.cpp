@@ -137,9 +137,14 @@ Shape<std::optional<MotionControl::Gains>> gains_shape() {
       [](std::size_t) { return Given{}; }, [](const Given&) { return std::size_t{0}; });
   const auto numbers = mapping<G>(
       "gains of the controller",
-      {required<G>("kp", loop_value("proportional gain", "Hz.s/rad", "V.s/rad", "-12.6 Hz.s/rad"),
+      {required<G>("kp",
+                   loop_value("proportional gain, in V.s/rad for a voltage", "Hz.s/rad", "V.s/rad",
+                              "-12.6 Hz.s/rad"),
                    &G::kp),
-       required<G>("ki", loop_value("integral gain", "Hz/rad", "V/rad", "-25253 Hz/rad"), &G::ki)});
+       required<G>(
+           "ki",
+           loop_value("integral gain, in V/rad for a voltage", "Hz/rad", "V/rad", "-25253 Hz/rad"),
+           &G::ki)});
   const auto given = shape_as<Given, G>(
       numbers, [](G gains) { return Given{gains}; }, [](const Given& gains) { return *gains; });
   auto shape = one_of<Given>("gains of the controller", {automatic, given},
@@ -179,7 +184,7 @@ Shape<MotionControl> position_shape(const Shape<std::vector<LoopValue>>& range) 
 
 Shape<MotionControl> control_shape() {
   using C = MotionControl;
-  auto range = list("least and largest output",
+  auto range = list("least and largest output, in Hz, or in V for a voltage",
                     loop_value("an end of the range", "Hz", "V", "39.7 kHz"), 2, 2);
   range.schema.example = "[39.7 kHz, 44.5 kHz]";
   const auto speed = mapping<C>(
@@ -200,9 +205,10 @@ Shape<MotionControl> control_shape() {
                    &C::start_frequency, "the upper end of the range"),
        hidden(optional<C>("start_voltage", quantity("at the beginning", "V", "120 V"),
                           &C::start_voltage, "the motor's voltage")),
-       hidden(optional<C>("slew",
-                          loop_value("largest change over time", "Hz/s", "V/s", "400 kHz/s"),
-                          &C::slew, "any")),
+       hidden(optional<C>(
+           "slew",
+           loop_value("largest change over time, in V/s for a voltage", "Hz/s", "V/s", "400 kHz/s"),
+           &C::slew, "any")),
        standard<C>("gains", gains_shape(), &C::gains)});
   return one_of<C>("a loop in place of a given frequency or voltage",
                    {speed, position_shape(range)},

@@ -138,8 +138,8 @@ void require_motion(const MotorDesign& design, const MotionTask& task);
 /// each instant, and a rotor that rests where friction holds it (M4.1). About 2 microseconds a contact with one slice, and some 50
 /// contacts a millisecond of a start. The layer's viscosity stays that of the design's frequency.
 /// The oscillating engine integrates both modes, the rotor and the points of its face in each vibration, with unequal phases and
-/// modes as well; samples are then means over a period of the drive. About 1 ms of processor time a millisecond at an accuracy of
-/// 1, and 13 at 4.
+/// modes as well; samples are then means over a period of the drive. About 2 ms of processor time a millisecond at an accuracy of
+/// 1, and 20 at 4.
 /// A motion that ends early is a result with a status.
 /// @throws InputError for a design without rotor_inertia and for a task that is not admissible; averaged: without an integrator,
 ///         and for unequal phases or modes; oscillating: without a voltage, with slices, a taper or mu_0 > mu, and without

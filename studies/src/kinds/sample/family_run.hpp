@@ -5,6 +5,7 @@
 #include "kinds/sample/family.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -30,7 +31,7 @@ class FamilyRun : public StudyKindRun {
   }
 
   KindAnswer run(RunContext& context) final {
-    stop_ = context.stop;
+    stop_ = context.stop, progress_ = context.progress;
     Result result = frame();
     result.family = family_;
     bool complete = true;
@@ -66,6 +67,13 @@ class FamilyRun : public StudyKindRun {
   /// A long computation of one motor ends where this is true; the rows of the motor are then not stored.
   bool asked_to_stop() const { return stop_.stop_requested(); }
 
+  /// Tells the share of a motor that takes long; to be called from computed().
+  void tell(double share) const {
+    const double done = static_cast<double>(points_) * (static_cast<double>(present_) + share);
+    if (progress_)
+      progress_({.done = static_cast<std::uint64_t>(done), .total = points_ * motors_.size()});
+  }
+
   const std::vector<FamilyMotor>& motors() const { return motors_; }
   std::uint64_t points() const { return points_; }
 
@@ -82,6 +90,7 @@ class FamilyRun : public StudyKindRun {
   const Member& member(std::size_t number) const {
     const std::lock_guard guard(mutex_);
     if (!computed_[number]) {
+      present_ = number;
       computed_[number] = computed(motors_[number]);
       computed_[number]->value = motors_[number].value;
     }
@@ -92,7 +101,9 @@ class FamilyRun : public StudyKindRun {
   std::uint64_t points_;
   std::optional<StoredColumn> family_;
   std::stop_token stop_;
+  std::function<void(const RunProgress&)> progress_;
   mutable std::mutex mutex_;  // of what follows
+  mutable std::size_t present_{0};
   mutable std::vector<std::optional<Member>> computed_;
 };
 
