@@ -58,8 +58,8 @@ TEST_CASE("the module of a page is encoded as Ascii85 is, with other letters",
   CHECK(base85("Man ") == written({24, 73, 80, 78, 61}));
   CHECK(base85(std::string(4, '\0')) == written({0, 0, 0, 0, 0}));
   CHECK(base85("\xff\xff\xff\xff") == written({82, 23, 54, 12, 0}));
-  // A byte is two digits: 0x4d000000 = 24 * 85^4 + 62 * 85^3 + ...
-  CHECK(base85("M") == written({24, 62}));
+  // A byte is two digits: 0x4d000000 = 24 * 85^4 + 63 * 85^3 + ...
+  CHECK(base85("M") == written({24, 63}));
 }
 
 TEST_CASE("the curve of a report begins at the torque of the plateau (C8.5)", "[studies][report]") {
