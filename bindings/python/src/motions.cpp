@@ -37,9 +37,9 @@ Profile to_profile(const std::string& name, const py::object& value, const char*
 }
 
 std::vector<Interval> to_intervals(const std::string& name, const py::object& value) {
+  const Profile rows = to_profile(name, value, "s", "20 ms");
   std::vector<Interval> intervals;
-  for (const auto& [begin, end] : to_profile(name, value, "s", "20 ms").rows())
-    intervals.push_back({begin, end});
+  for (const auto& [begin, end] : rows.rows()) intervals.push_back({begin, end});
   return intervals;
 }
 
