@@ -34,11 +34,10 @@ class Engine {
 /// @throws InputError as simulate()
 std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& task);
 
-/// The stretches of a task, at whose beginning the engine then is.
-std::vector<Stretch> begun(Engine& engine, const MotionTask& task, bool driven);
+/// Takes an engine to the beginning of a task, whose stretches are given.
+void begin(Engine& engine, const MotionTask& task, const std::vector<Stretch>& stretches);
 
 /// The motion that an engine makes of a task.
-/// @param driven  by a voltage
-Motion followed(Engine& engine, const MotionTask& task, bool driven);
+Motion followed(Engine& engine, const MotionTask& task, const std::vector<Stretch>& stretches);
 
 }  // namespace twum::motion

@@ -155,7 +155,7 @@ class Manoeuvres {
     watch.reached = StartWatch(start, patience() / kPatience, settled);
     watch.slopes = slopes_;
     MotionRun run(design_, task, watch);
-    require_ok(followed(run, task, model_.driven));
+    require_ok(followed(run, task, stretches_of(task, model_.driven)));
     return start;
   }
 
@@ -286,7 +286,7 @@ class Manoeuvres {
 
   RunEnd held_end(const MotionTask& task, RunWatch watch) const {
     MotionRun run(design_, task, std::move(watch));
-    require_ok(followed(run, task, model_.driven));
+    require_ok(followed(run, task, stretches_of(task, model_.driven)));
     RunEnd end = run.end();
     if (!end.held) throw NoValue{MetricStatus::does_not_stop};
     return end;
@@ -305,7 +305,7 @@ class Manoeuvres {
       return true;
     };
     MotionRun run(design_, task, watch);
-    require_ok(followed(run, task, model_.driven));
+    require_ok(followed(run, task, stretches_of(task, model_.driven)));
     if (!found) throw NoValue{MetricStatus::does_not_start};
     return *found;
   }

@@ -51,24 +51,25 @@ std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& t
   return std::make_unique<MotionRun>(design, task);
 }
 
-std::vector<Stretch> begun(Engine& engine, const MotionTask& task, bool driven) {
-  std::vector<Stretch> stretches = stretches_of(task, driven);
+void begin(Engine& engine, const MotionTask& task, const std::vector<Stretch>& stretches) {
   engine.begin(task.initial.steady ? before_the_first(task) : stretches.front());
-  return stretches;
 }
 
-Motion followed(Engine& engine, const MotionTask& task, bool driven) {
-  for (const Stretch& stretch : begun(engine, task, driven))
+Motion followed(Engine& engine, const MotionTask& task, const std::vector<Stretch>& stretches) {
+  begin(engine, task, stretches);
+  for (const Stretch& stretch : stretches)
     if (!engine.follow(stretch)) break;
   return engine.finish();
 }
 
 void require_motion(const MotorDesign& design, const MotionTask& task) {
-  begun(*engine_of(design, task), task, design.stator.voltage.has_value());
+  const std::vector<Stretch> stretches = stretches_of(task, design.stator.voltage.has_value());
+  begin(*engine_of(design, task), task, stretches);
 }
 
 Motion simulate(const MotorDesign& design, const MotionTask& task) {
-  return followed(*engine_of(design, task), task, design.stator.voltage.has_value());
+  const std::vector<Stretch> stretches = stretches_of(task, design.stator.voltage.has_value());
+  return followed(*engine_of(design, task), task, stretches);
 }
 
 }  // namespace twum::motion

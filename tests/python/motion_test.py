@@ -67,9 +67,11 @@ class Move(unittest.TestCase):
             told.append((done, total))
             stop.set()
 
-        motion = self.motor.move(1e4, load_torque=0.1, frequency=[(0, 40.8e3), (1e4, 41.5e3)], points=2, stop=stop, progress=progress)
+        # Every vibration of two seconds takes several, and is stopped at the first per cent.
+        motion = self.motor.move("2 s", engine="oscillating", points=2, stop=stop, progress=progress)
         self.assertEqual(motion.status, "stopped")
-        self.assertTrue(all(total == 100 for _, total in told))
+        self.assertLess(motion.end, 2)
+        self.assertTrue(told and all(0 < done < 100 and total == 100 for done, total in told), told)
 
 
 class Plant(unittest.TestCase):
@@ -83,7 +85,7 @@ class Plant(unittest.TestCase):
         np.testing.assert_allclose(np.sort_complex(poles), np.sort_complex(plant.poles), rtol=1e-6)
         outputs = [i for i, name in enumerate(plant.outputs) if name != "angle"]
         gains = -c[outputs][:, :3] @ np.linalg.solve(a[:3, :3], b[:3]) + d[outputs]
-        np.testing.assert_allclose(plant.gains, gains, rtol=1e-6, atol=1e-9 * np.abs(gains).max(axis=0))
+        self.assertLess(np.abs((plant.gains - gains) / np.abs(gains).max(axis=0)).max(), 1e-9)
 
     def test_metrics_of_motions_are_those_of_its_plant(self):
         motor = twum.Motor(MOVING)
