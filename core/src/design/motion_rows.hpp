@@ -9,6 +9,8 @@ namespace motion_rows {
 using P = Parameter;
 using motor_rows::kNoAlternative;
 
+inline bool is_damped(const MotorDesign& d) { return d.rotor.axial_damping != 0; }
+
 /// Rows of the parameter table for motions in time. Every motor does without them.
 inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
     {{P::rotor_inertia, "rotor_inertia", "", "kg.m^2", "rotor.inertia", 1e-18, 1e6, false, false,
@@ -42,7 +44,7 @@ inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
     {{P::axial_damping, "axial_damping", "", "N.s/m", "rotor.axial_damping", 0, 1e9, false, false,
       kNoAlternative, "300 N.s/m", "damping of the rotor's axial motion: flange, rubber, lining",
       "0 is a rotor that hops near no-load; the largest stops any axial motion", "0 N.s/m", false},
-     plain<&Rotor::axial_damping>().used_if(has<&Rotor::mass>).kept_if(always)},
+     plain<&Rotor::axial_damping>().used_if(has<&Rotor::mass>).kept_if(is_damped)},
 })};
 
 }  // namespace motion_rows

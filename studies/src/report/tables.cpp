@@ -103,9 +103,9 @@ Json only_true(Json row) {
 
 // What a motor file gives for temperatures, wear, motions and a drive that follows: a page keeps it as it is.
 bool is_kept(std::string_view entry) {
-  constexpr std::array<std::string_view, 9> kKept{
+  constexpr std::array<std::string_view, 10> kKept{
       "thermal.", "wear.",   "operation",     "stator.control",      "stator.frequency_range",
-      "load.",    "driver.", "rotor.inertia", "stator.radial_motion"};
+      "load.",    "driver.", "rotor.inertia", "rotor.axial_damping", "stator.radial_motion"};
   return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
 }
 

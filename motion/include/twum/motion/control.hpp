@@ -67,7 +67,7 @@ struct LoopMargins {
 
 /// A motion under control, and what was known of the loop.
 struct ControlledMotion {
-  Motion motion{};
+  Motion motion{};        ///< what was computed
   LoopGains gains{};      ///< those in use
   LoopPlant plant{};      ///< where gains and margins were computed
   LoopMargins margins{};  ///< of the linear plant there
