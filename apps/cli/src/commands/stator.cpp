@@ -10,6 +10,7 @@
 #include "output.hpp"
 #include "plate_parts.hpp"
 #include "plot/stator_plot.hpp"
+#include "solid/solid_command.hpp"
 #include "text_table.hpp"
 
 #include <twum/core/equivalent_circuit.hpp>
@@ -32,6 +33,7 @@ constexpr const char* kStatorExamples = R"text(Examples:
   twum stator examples/motors/drive-60.yaml
   twum stator drive-60.yaml --torque "0.5 N.m"
   twum stator plate-60.yaml --modes 10 --plot modes.svg
+  twum stator plate-60.yaml --solid --write -o solid
   twum stator drive-60.yaml --set "preload=140 N" --format json -o stator.json)text";
 
 struct StatorOptions {
@@ -40,6 +42,9 @@ struct StatorOptions {
   OutputOptions output;
   std::string modes;
   std::string plot;
+  bool solid{false};
+  std::string mesh;
+  bool write{false};
 };
 
 struct StatorAnswer {
@@ -204,7 +209,24 @@ std::string as_table(const StatorAnswer& answer) {
   return text + "\n" + aligned(point);
 }
 
+// Options that only one of the two ways to compute a stator has.
+void check_options(const StatorOptions& options) {
+  if (!options.solid && (!options.mesh.empty() || options.write))
+    throw InputError("--mesh and --write belong to --solid, which is not given");
+  if (options.solid && (options.load.given() || !options.plot.empty()))
+    throw InputError("--solid has no operating point: leave out --torque, --speed and --plot");
+}
+
+int run_as_solid(const StatorOptions& options) {
+  const std::size_t modes =
+      options.modes.empty() ? kListedModes : parse_count("--modes", options.modes, 1, kMostModes);
+  return run_solid_stator({options.motor, options.output.format, options.output.path, options.mesh,
+                           modes, options.write});
+}
+
 int run_stator(const StatorOptions& options) {
+  check_options(options);
+  if (options.solid) return run_as_solid(options);
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
@@ -235,6 +257,17 @@ void add_stator(CLI::App& app, Action& action) {
       ->type_name("N");
   add_output_options(*command, options->output, {"table", "json"});
   add_plot_option(*command, options->plot);
+  command->add_flag(
+      "--solid", options->solid,
+      "Compute the geometry as a solid with CalculiX, beside the plate model; -o then "
+      "names a folder for its files");
+  command
+      ->add_option("--mesh", options->mesh,
+                   "With --solid: elements through the plate (default: 5, about a minute)")
+      ->type_name("N");
+  command->add_flag("--write", options->write,
+                    "With --solid: write a copy of the motor file, MOTOR-solid.yaml, whose "
+                    "stiffness_share gives the plate the solid's frequency");
   command->footer(kStatorExamples);
   command->callback([options, &action] { action = [options] { return run_stator(*options); }; });
 }
