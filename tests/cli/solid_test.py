@@ -238,6 +238,41 @@ class Solid(program.Case):
         self.assertAlmostEqual(again["resonance_frequency"] / solid, 1, delta=1e-5)
         self.assertAlmostEqual(again["force_factor"], self.answer["fitted_plate"]["force_factor"], delta=1e-5)
 
+    def using(self, change=lambda text: text):
+        """A motor file with the data of the solid beside its geometry."""
+        text = PLATE.read_text().replace("    geometry:", f"    solid: {self.results}/solid.yaml\n    geometry:")
+        return self.write("using.yaml", change(text))
+
+    def test_a_motor_takes_the_solid_s_data(self):
+        used = json.loads(self.ok("stator", self.using(), "--format", "json"))["modal_data"]
+        for name in ("resonance_frequency", "modal_mass", "force_factor", "blocked_capacitance"):
+            self.assertEqual(used[name], self.answer["solid"][name])
+        table = self.ok("evaluate", self.using(), "--metrics", "radial_motion_ratio").splitlines()
+        value = float(table[1].split(",")[0])
+        # R's slope over the circumference's wave against the motion of the tips: the same where teeth turn as they stand, to a
+        # tenth of the shear in the ring below.
+        self.assertAlmostEqual(value / self.answer["solid"]["radial_ratio"], 1, delta=0.1)
+
+    def test_a_changed_stator_is_refused_with_what_changed(self):
+        error = self.refused("stator", self.using(lambda text: text.replace("height: 1 mm", "height: 1.1 mm")))
+        self.assertIn("stator.solid: the stator has changed since it was solved: teeth_height is 1.1 mm, but was 1 mm", error)
+        error = self.refused("stator", self.using(lambda text: text.replace("inner_edge: clamped", "inner_edge: free")))
+        self.assertIn("inner_edge is free, but was clamped", error)
+        # Only the plate has this number.
+        self.ok("stator", self.using(lambda text: text.replace("stiffness_share: 0.0445", "stiffness_share: 0.1")))
+
+    def test_data_of_a_solid_need_its_geometry_beside_them(self):
+        text = pathlib.Path(DRIVE).read_text().replace("    wavelengths", f"    solid: {self.results}/solid.yaml\n    wavelengths", 1)
+        self.assertIn("must stand beside the 'geometry' that was solved", self.refused("stator", self.write("drive.yaml", text)))
+
+    def test_data_that_cannot_be_read_are_told_at_the_entry(self):
+        error = self.refused("stator", self.using(lambda text: text.replace("solid.yaml", "no.yaml")))
+        self.assertIn("using.yaml:", error)
+        self.assertIn("no.yaml: cannot be read", error)
+        error = self.refused("stator", self.using(lambda text: text.replace(f"{self.results}/solid.yaml", str(PLATE))))
+        self.assertIn("motor.stator.solid: ", error)
+        self.assertIn("solid: missing", error)
+
 
 class Refusals(program.Case):
     def test_without_the_solver_its_package_is_named(self):

@@ -12,6 +12,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/plate.hpp>
+#include <twum/motors/solid_data.hpp>
 
 #include <unistd.h>
 
@@ -30,7 +31,7 @@ constexpr std::size_t kFewestElements = 2;
 void check_request(const SolidRequest& request, const MotorDesign& design) {
   if (!design.stator.geometry)
     throw InputError(request.motor.path +
-                     ": --solid needs a stator given by its geometry; this one has no such block");
+                     ": --solid needs a stator given by its geometry, without the entry 'solid'");
   const std::string ending = format_of(request.folder);
   if (ending == "json" || ending == "txt" || fs::is_regular_file(request.folder))
     throw InputError("-o: " + request.folder +
@@ -75,6 +76,18 @@ void compare_with_plate(SolidComparison& comparison) {
     comparison.fitted_plate = numbers_of_plate(with_share(design, *comparison.share->share));
 }
 
+// R where a rotor can touch: on the teeth, or on the ring. A spline through it has no kinks at edges.
+std::vector<std::pair<double, double>> touched_shape(
+    const stator::StatorGeometry& g, const std::vector<std::pair<double, double>>& shape) {
+  const double inner = g.teeth ? g.teeth->inner_radius : g.web ? g.web->outer_radius : 0;
+  const double outer = g.teeth ? g.teeth->outer_radius : g.substrate.outer_radius;
+  const double slack = 1e-9 * outer;
+  std::vector<std::pair<double, double>> rows;
+  for (const auto& row : shape)
+    if (row.first > inner - slack && row.first < outer + slack) rows.push_back(row);
+  return rows;
+}
+
 // NAME-solid.yaml in the folder, or in the current one.
 std::string copy_path(const SolidRequest& request) {
   const std::string stem =
@@ -94,6 +107,26 @@ void write_motor(const SolidRequest& request, const SolidComparison& comparison,
   output.write(source ? with_stiffness_share(*source, share) : studies::motor_text(copy));
   output.finish();
   say(path + ": the motor with this teeth_stiffness_share");
+}
+
+// solid.yaml in the folder: what `stator.solid` of a motor file reads.
+void write_data(const std::string& folder, const SolidComparison& comparison) {
+  const MotorDesign& design = comparison.file.design;
+  const StatorNumbers& x = comparison.solid.numbers;
+  const Stator& s = design.stator;
+  studies::SolidData data;
+  data.numbers = {
+      {Parameter::resonance_frequency, x.resonance_frequency},
+      {Parameter::modal_mass, x.modal_mass},
+      {Parameter::force_factor, x.force_factor},
+      {Parameter::blocked_capacitance, x.blocked_capacitance},
+      {Parameter::neutral_plane_distance, x.tangential_ratio * s.contact_radius / s.wavelengths}};
+  data.shape = touched_shape(*s.geometry, comparison.solid.shape);
+  data.drawing = studies::drawing_of(design);
+  data.inner_edge = s.geometry->support;
+  Output output(folder + "/solid.yaml");
+  output.write(studies::solid_text(data, comparison.file.name));
+  output.finish();
 }
 
 }  // namespace
@@ -120,6 +153,7 @@ int run_solid_stator(const SolidRequest& request) {
   Output output("");
   output.write(request.format == "json" ? solid_json(comparison) : solid_text(comparison));
   output.finish();
+  if (!scratch) write_data(folder, comparison);
   if (!request.write) return kDone;
   write_motor(request, comparison, source);
   return comparison.share && comparison.share->share ? kDone : kNoAnswer;
