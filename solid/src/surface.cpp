@@ -55,4 +55,11 @@ std::vector<SurfaceMotion> surface_motion(const Sector& sector, int nodal_diamet
   return motion;
 }
 
+const SurfaceMotion& at_radius(const std::vector<SurfaceMotion>& surface, double radius) {
+  return *std::min_element(surface.begin(), surface.end(),
+                           [=](const SurfaceMotion& a, const SurfaceMotion& b) {
+                             return std::abs(a.radius - radius) < std::abs(b.radius - radius);
+                           });
+}
+
 }  // namespace twum::solid

@@ -20,4 +20,7 @@ struct SurfaceMotion {
 std::vector<SurfaceMotion> surface_motion(const Sector& sector, int nodal_diameters,
                                           const Eigenmode& mode);
 
+/// That of the line nearest to a radius [m].
+const SurfaceMotion& at_radius(const std::vector<SurfaceMotion>& surface, double radius);
+
 }  // namespace twum::solid

@@ -20,13 +20,6 @@ using stator::StatorGeometry;
 // Axial motion below this share of the largest has no sign: CalculiX prints seven digits.
 constexpr double kNoSign = 1e-5;
 
-const SurfaceMotion& at_radius(const std::vector<SurfaceMotion>& surface, double radius) {
-  return *std::min_element(surface.begin(), surface.end(),
-                           [=](const SurfaceMotion& a, const SurfaceMotion& b) {
-                             return std::abs(a.radius - radius) < std::abs(b.radius - radius);
-                           });
-}
-
 // Sign changes from a radius outwards. The phase of a mode is free, so the largest motion is made real.
 int sign_changes(const std::vector<SurfaceMotion>& surface, double inner) {
   const auto largest =

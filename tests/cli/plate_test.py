@@ -47,6 +47,8 @@ class Plate(program.Case):
         picture = path.read_text()
         self.assertIn("contact track", picture)
         self.assertIn("drive, 39", picture)
+        for part in ("web", "ring", "teeth", "ceramic", "glue"):
+            self.assertIn(f">{part}<", picture)
 
     def test_modes_without_a_geometry_are_refused(self):
         self.assertIn("given by its geometry", self.refused("stator", DRIVE, "--modes", "4"))

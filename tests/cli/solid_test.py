@@ -168,7 +168,7 @@ class Solid(program.Case):
         cls.scratch = tempfile.TemporaryDirectory(prefix="twum solid ")
         cls.results = pathlib.Path(cls.scratch.name) / "results"
         cls.done = program.twum("stator", PLATE, "--solid", "--mesh", "2", "--write", "-o", cls.results,
-                                "--format", "json")
+                                "--plot", cls.results / "wave.svg", "--format", "json")
         cls.answer = json.loads(cls.done.stdout) if cls.done.stdout else None
 
     @classmethod
@@ -212,6 +212,11 @@ class Solid(program.Case):
         theta = abs(e * stretch / axial) / motor["ceramic_thickness"] * waves / n * 4 / math.pi * 60 / 2
         # F2.4: three Gauss points of a brick against five: 1e-5 in smooth fields.
         self.assertAlmostEqual(solid["force_factor"] / theta, 1, delta=1e-4)
+
+    def test_a_picture_of_the_wave(self):
+        picture = (self.results / "wave.svg").read_text()
+        for word in ("plate", "solid", "ceramic", "cross-section at the crest"):
+            self.assertIn(word, picture)
 
     def test_modes_tell_the_separation(self):
         modes = self.answer["solid"]["modes"]

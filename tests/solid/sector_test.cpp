@@ -4,6 +4,7 @@
 #include <twum/base/error.hpp>
 #include <twum/solid/deck.hpp>
 #include <twum/solid/eigenmodes.hpp>
+#include <twum/solid/section.hpp>
 #include <twum/solid/stiffness_share.hpp>
 
 #include <catch2/catch.hpp>
@@ -86,6 +87,33 @@ TEST_CASE("sectors that cannot be made are refused", "[solid]") {
   foil.substrate.thickness = 1e-6;
   CHECK_THROWS_AS(solid::make_sector(foil, kWaves, kContactRadius, 12), InputError);
   CHECK(solid::most_nodal_diameters(solid::make_sector(g, kWaves, kContactRadius, 1)) == 44);
+}
+
+TEST_CASE("the cross-section bends as the wave says", "[solid]") {
+  const auto g = default_stator(0.1);
+  const auto sector = solid::make_sector(g, kWaves, kContactRadius, 1);
+  // A rigid turn about a line at the neutral radius: axial motion x, along the radius -z, all in step with the wave.
+  solid::Eigenmode turn{1, {}};
+  for (const solid::SectorNode& node : sector.nodes) {
+    const auto wave = std::polar(1.0, kWaves * node.angle);
+    turn.motion.push_back({-node.height * wave, 0.0, (node.radius - 0.0215) * wave});
+  }
+  const auto faces = solid::bent_section(sector, kWaves, kContactRadius, turn);
+  REQUIRE(faces.size() > 10);
+  double area = 0;
+  for (const solid::BentFace& face : faces) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      // Over the axial motion at the contact radius, 5 mm; exact but for rounding.
+      CHECK(face.motion[k][1] == Approx((face.place[k][0] - 0.0215) / 0.005).margin(1e-12));
+      CHECK(face.motion[k][0] == Approx(-face.place[k][1] / 0.005).margin(1e-12));
+      const auto& next = face.place[(k + 1) % 4];
+      area += (face.place[k][0] * next[1] - next[0] * face.place[k][1]) / 2;
+    }
+  }
+  double drawn = 0;
+  for (const solid::SectionPart& part : solid::cross_section(g, kContactRadius))
+    drawn += (part.outer - part.inner) * (part.top - part.bottom);
+  CHECK(area == Approx(drawn).epsilon(1e-12));
 }
 
 TEST_CASE("text that is no result of CalculiX is refused", "[solid]") {

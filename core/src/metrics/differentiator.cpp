@@ -111,6 +111,10 @@ Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
   constexpr PlateNumber kStress = PlateNumber::ceramic_stress;
   add(plate[index_of(kStress)], static_cast<std::size_t>(plate_direction(kStress)));
+#ifndef __wasm__
+  constexpr PlateNumber kMass = PlateNumber::stator_mass;
+  add(plate[index_of(kMass)], static_cast<std::size_t>(plate_direction(kMass)));
+#endif
 }
 
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {

@@ -5,6 +5,7 @@
 #include "formats.hpp"
 #include "message.hpp"
 #include "output.hpp"
+#include "plot/solid_plot.hpp"
 #include "scratch_folder.hpp"
 #include "solid/solid_text.hpp"
 #include "solid/written_share.hpp"
@@ -144,6 +145,7 @@ int run_solid_stator(const SolidRequest& request) {
       request.mesh.empty()
           ? kElements
           : parse_count("--mesh", request.mesh, kFewestElements, solid::kMostElements);
+  const std::optional<PlotFile> plot = plot_file(request.plot, {request.motor.path});
   std::unique_ptr<ScratchFolder> scratch;
   if (request.folder.empty()) scratch = std::make_unique<ScratchFolder>("CalculiX");
   const std::string folder = scratch ? scratch->path() : made_folder(request.folder);
@@ -153,6 +155,7 @@ int run_solid_stator(const SolidRequest& request) {
   Output output("");
   output.write(request.format == "json" ? solid_json(comparison) : solid_text(comparison));
   output.finish();
+  if (plot) plot->draw(kSolidPlotSize, solid_plot(comparison.file, comparison.solid));
   if (!scratch) write_data(folder, comparison);
   if (!request.write) return kDone;
   write_motor(request, comparison, source);

@@ -14,6 +14,7 @@ struct SolidRequest {
   std::string folder;  ///< for the files of CalculiX; empty: they are removed
   std::string mesh;    ///< elements through the plate, as typed; empty: the default
   std::size_t modes;   ///< of the solid, to list
+  std::string plot;    ///< file of a picture; empty: none
   bool write;          ///< a copy of the motor file with the fitted stiffness_share
 };
 

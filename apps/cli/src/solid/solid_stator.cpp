@@ -115,6 +115,7 @@ SolidStator solve_solid(const MotorDesign& design, int elements, const std::stri
     const auto wave = wave_in(design, task, modes);
     solid.numbers = numbers_of(wave, capacitance);
     solid.shape = wave.shape;
+    solid.section = solid::bent_section(sector, n, s.contact_radius, modes[wave.mode]);
   }
   sort_modes(solid, n, solid.numbers.resonance_frequency);
   return solid;

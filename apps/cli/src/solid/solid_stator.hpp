@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/motor_design.hpp>
+#include <twum/solid/section.hpp>
 #include <twum/solid/stiffness_share.hpp>
 #include <twum/solid/wave.hpp>
 
@@ -53,6 +54,7 @@ struct SolidStator {
   MeshSize mesh{}, coarser_mesh{};
   StatorNumbers numbers{}, coarser{};
   std::vector<std::pair<double, double>> shape{};  ///< radius [m] and R
+  std::vector<solid::BentFace> section{};          ///< through a tooth, at the crest of the wave
   std::vector<solid::SolidMode> modes{};           ///< of n - 2 to n + 2, lowest frequency first
   std::size_t wave{};                              ///< which of these carries the wave
   std::vector<int> untold{};  ///< numbers of nodal diameters that this division cannot tell

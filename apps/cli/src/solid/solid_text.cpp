@@ -16,20 +16,21 @@ namespace {
 // Modes that move the nodes more within the plane than along the axis.
 constexpr double kWithinPlane = 0.5;
 
-std::string shown(double value, const char* unit) {
+std::string solid_cell(double value, const char* unit) {
   return std::isfinite(value) ? studies::engineering(value, unit) : "-";
 }
 
 std::string percent(double value, double from) {
+  const double change = 100 * (value / from - 1);
   char text[32];
-  std::snprintf(text, sizeof text, "%+.2f %%", 100 * (value / from - 1));
+  std::snprintf(text, sizeof text, std::abs(change) < 0.005 ? "0.00 %%" : "%+.2f %%", change);
   return text;
 }
 
 // A value with its difference from the solid's.
 std::string compared(double value, double solid, const char* unit) {
-  if (!std::isfinite(value) || !std::isfinite(solid)) return shown(value, unit);
-  return shown(value, unit) + " (" + percent(value, solid) + ")";
+  if (!std::isfinite(value) || !std::isfinite(solid)) return solid_cell(value, unit);
+  return solid_cell(value, unit) + " (" + percent(value, solid) + ")";
 }
 
 std::string mesh_text(const char* name, const MeshSize& mesh) {
@@ -50,7 +51,7 @@ std::string numbers_table(const SolidComparison& c) {
     const auto beside = [&](const StatorNumbers& numbers) {
       return compared(numbers.*row.value, solid, row.unit);
     };
-    std::vector<std::string> cells{row.name, shown(solid, row.unit), beside(c.solid.coarser)};
+    std::vector<std::string> cells{row.name, solid_cell(solid, row.unit), beside(c.solid.coarser)};
     if (c.plate) cells.push_back(beside(*c.plate));
     if (c.fitted_plate) cells.push_back(beside(*c.fitted_plate));
     table.rows.push_back(std::move(cells));
@@ -59,7 +60,7 @@ std::string numbers_table(const SolidComparison& c) {
 }
 
 // The wave and the modes that are nearest to it, lowest frequency first.
-std::vector<std::size_t> listed(const SolidComparison& c) {
+std::vector<std::size_t> listed_places(const SolidComparison& c) {
   const auto& modes = c.solid.modes;
   std::vector<std::size_t> places(modes.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
@@ -75,25 +76,26 @@ std::vector<std::size_t> listed(const SolidComparison& c) {
 
 std::string modes_table(const SolidComparison& c) {
   TextTable table{{{"mode", "wavelengths", "nodal circles", "frequency", "modal mass"}}};
-  for (const std::size_t i : listed(c)) {
+  for (const std::size_t i : listed_places(c)) {
     const solid::SolidMode& mode = c.solid.modes[i];
     const bool bends = mode.axial_share >= kWithinPlane;
     table.rows.push_back({i == c.solid.wave ? "drive" : "", std::to_string(mode.nodal_diameters),
                           bends ? std::to_string(mode.nodal_circles) : "within the plane",
-                          shown(mode.frequency, "Hz"), bends ? shown(mode.modal_mass, "kg") : "-"});
+                          solid_cell(mode.frequency, "Hz"),
+                          bends ? solid_cell(mode.modal_mass, "kg") : "-"});
   }
   return aligned(table);
 }
 
 std::string share_sentence(const SolidComparison& c) {
   if (!c.share) return "";
-  const std::string solid = shown(c.solid.numbers.resonance_frequency, "Hz");
+  const std::string solid = solid_cell(c.solid.numbers.resonance_frequency, "Hz");
   if (c.share->share)
     return "\nWith teeth_stiffness_share " + share_text(*c.share->share) +
            " the plate has the solid's frequency.\n";
   return "\nNo teeth_stiffness_share between 0 and 1 gives the plate the solid's frequency, " +
-         solid + ": the plate has " + shown(c.share->lowest, "Hz") + " with 0 and " +
-         shown(c.share->highest, "Hz") + " with 1.\n";
+         solid + ": the plate has " + solid_cell(c.share->lowest, "Hz") + " with 0 and " +
+         solid_cell(c.share->highest, "Hz") + " with 1.\n";
 }
 
 std::string untold_sentence(const SolidStator& solid) {
@@ -122,7 +124,7 @@ Json solid_part(const SolidComparison& c) {
   Json json;
   json["mesh"] = mesh_json(c.solid.mesh);
   add_numbers(json, c.solid.numbers);
-  for (const std::size_t i : listed(c)) {
+  for (const std::size_t i : listed_places(c)) {
     const solid::SolidMode& mode = c.solid.modes[i];
     json["modes"].push_back({{"wavelengths", mode.nodal_diameters},
                              {"nodal_circles", mode.nodal_circles},

@@ -89,7 +89,14 @@ enum class Metric : unsigned char {
   life_at,
   life_revolutions_at,
   life,
-  life_revolutions
+  life_revolutions,
+#ifndef __wasm__  // the core of a page, whose size is limited, does without these
+  // of the stator and its driver
+  stator_mass,
+  free_amplitude,
+  apparent_power_at,
+  matching_inductance_at
+#endif
 };
 
 /// Argument that a metric takes.
