@@ -41,7 +41,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, python3-matplotlib")
 if(TWUM_WITH_MPI)
   string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ", openmpi-bin")
 endif()
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libtwum-dev)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libtwum-dev, calculix-ccx")
 
 set(dev_packages libnlopt-dev libyaml-cpp-dev libudunits2-dev libsqlite3-dev pkg-config)
 if(TWUM_WITH_IPOPT)

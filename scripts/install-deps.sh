@@ -40,6 +40,8 @@ test_packages=(
   chromium
   # the description of an FMU
   libxml2-utils
+  # the stator as a solid, which twum starts
+  calculix-ccx
   # house checks
   codespell doxygen
 )
@@ -50,8 +52,6 @@ long_packages=(
   node-typescript
   # a cluster of one node
   slurm-wlm munge
-  # the stator as a solid, in tests
-  calculix-ccx
 )
 
 list_only=false

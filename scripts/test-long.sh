@@ -144,10 +144,10 @@ step_coverage() {
 
 coverage_table() {  # BUILD FOLDER
   local layer failed=0
-  gcovr --root . --object-directory "$1" --filter 'core/' --filter 'motion/' --filter 'optim/' --filter 'studies/' \
+  gcovr --root . --object-directory "$1" --filter 'core/' --filter 'motion/' --filter 'solid/' --filter 'optim/' --filter 'studies/' \
     --exclude-throw-branches --exclude-unreachable-branches -j "$(jobs)" --json "$1/coverage.json" \
-    "$1"/core "$1"/motion "$1"/optim "$1"/studies "$1"/tests || return 1
-  for layer in core motion optim studies; do
+    "$1"/core "$1"/motion "$1"/solid "$1"/optim "$1"/studies "$1"/tests || return 1
+  for layer in core motion solid optim studies; do
     echo "coverage of $layer"
     gcovr --root . --add-tracefile "$1/coverage.json" --filter "$layer/" --exclude-throw-branches \
       --exclude-unreachable-branches --txt --print-summary --fail-under-line 95 --fail-under-branch 85 || failed=1

@@ -19,6 +19,24 @@ class Frequency(program.Case):
             self.ok("evaluate", DRIVE, *arguments, "--designs", designs, "--metrics", name))))
         return float(next(value for column, value in rows[0].items() if column.startswith(name)))
 
+    def test_without_preload_the_free_stator_is_swept(self):
+        answer = json.loads(self.ok("frequency", DRIVE, "--set", "preload=0 N", "--points", "9", "--format", "json"))
+        motor = answer["motor"]
+        resonance = 2 * math.pi * motor["resonance_frequency"]
+        for way in ("up", "down"):
+            points = answer["sweeps"][way]["points"]
+            self.assertEqual(len(points), 9)
+            for point in points:
+                omega = 2 * math.pi * point["frequency"]
+                damping = resonance * motor["modal_mass"] / motor["quality_factor"]
+                stiffness = complex(motor["modal_mass"] * (resonance ** 2 - omega ** 2), omega * damping)
+                expected = motor["force_factor"] * math.sqrt(2) * motor["voltage"] / abs(stiffness)
+                # A tolerance of the solver of 1e-11, of which 1e-9 is left at a sharp resonance.
+                self.assertAlmostEqual(point["amplitude"] / expected, 1, delta=1e-8)
+        self.assertIn("stator without rotor", self.ok("frequency", DRIVE, "--set", "preload=0 N", "--points", "3"))
+        self.assertIn("cannot be carried with a preload of 0 N",
+                      self.refused("frequency", DRIVE, "--set", "preload=0 N", "--torque", "0.1 N.m"))
+
     def test_at_rest_it_jumps_where_the_metrics_say(self):
         low = ("--set", "voltage=65 V")
         answer = self.answer(*low, "--speed", "0 rpm", "--points", 11)

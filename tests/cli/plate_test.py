@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Motors whose stator is given by its geometry, and the catalogue of materials."""
 import json
+import math
 import pathlib
 import re
 
@@ -47,6 +48,8 @@ class Plate(program.Case):
         picture = path.read_text()
         self.assertIn("contact track", picture)
         self.assertIn("drive, 39", picture)
+        for part in ("web", "ring", "teeth", "ceramic", "glue"):
+            self.assertIn(f">{part}<", picture)
 
     def test_modes_without_a_geometry_are_refused(self):
         self.assertIn("given by its geometry", self.refused("stator", DRIVE, "--modes", "4"))
@@ -64,6 +67,49 @@ class Plate(program.Case):
                       self.refused("stator", PLATE, "--set", "ceramic_outer_radius=31 mm"))
         self.assertIn("needs a stator that is given by its geometry",
                       self.refused("stator", DRIVE, "--set", "ceramic_thickness=1 mm"))
+
+
+    def notes(self, *changes):
+        text = pathlib.Path(PLATE).read_text()
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        done = program.twum("check", self.write("changed.yaml", text))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr
+
+    def test_too_few_and_too_slender_teeth_are_noted(self):
+        self.assertNotIn("teeth", self.notes())
+        few = self.notes(("count: 90", "count: 26"))
+        self.assertIn("2.89 teeth per wavelength", few)
+        self.assertIn("at least 27 teeth", few)
+        self.assertNotIn("teeth per wavelength", self.notes(("count: 90", "count: 27")))
+        # Euler's cantilever of 1.01 x 4 mm: 1.8751^2 / (2 pi) sqrt(E I / rho A) / h^2, 36 kHz, against a drive of 34 kHz.
+        slender = self.notes(("height: 1.6 mm", "height: 4 mm"))
+        width = 2 * math.pi * 23e-3 / 90 - 0.6e-3
+        own = 1.8751 ** 2 / (2 * math.pi) * math.sqrt(110e9 * width ** 2 / 12 / 8800) / 4e-3 ** 2
+        self.assertIn(f"would bend by themselves at {own / 1e3:.4g} kHz", slender)
+
+    def test_radii_that_touch_leave_their_own_rows_out_alone(self):
+        study = self.write("study.yaml", f"""twum: 1
+motor: {PLATE}
+study:
+  kind: optimize
+  variables:
+    ceramic_thickness: {{min: 0.3 mm, max: 0.9 mm}}
+  maximize: force_factor
+  solver: {{name: nlopt:slsqp, starts: 1, seed: 1}}
+""")
+        self.ok("run", study, "-o", self.folder / "out")
+        answer = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertNotIn("moves_missing", answer)
+        self.assertIn("teeth_height", answer["moves"])
+        touching = answer["moves_touching"]
+        self.assertEqual(touching["teeth_outer_radius"], "substrate_outer_radius")
+        for radius in touching:
+            self.assertNotIn(radius, answer["moves"])
+        page = (self.folder / "out/report.html").read_text()
+        self.assertIn(" has no row, because it is equal to ", page)
 
 
 class Materials(program.Case):

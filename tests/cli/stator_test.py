@@ -64,6 +64,22 @@ class Stator(program.Case):
         # The amplitude found and the voltage that it takes are inverse to each other.
         self.assertAlmostEqual(given["voltage"], 120, delta=1e-9)
 
+    def test_without_preload_it_is_a_stator_without_rotor(self):
+        answer = self.answer(DRIVE, "--set", "preload=0 N")
+        motor, modal, free = answer["motor"], answer["modal_data"], answer["without_rotor"]
+        omega, resonance = 2 * math.pi * motor["frequency"], 2 * math.pi * modal["resonance_frequency"]
+        stiffness = complex(modal["modal_mass"] * (resonance ** 2 - omega ** 2), omega * modal["modal_damping"])
+        displacement = modal["force_factor"] * math.sqrt(2) * motor["voltage"] / stiffness
+        # k - omega^2 m is a tenth of k, and the balance is solved to 1e-11.
+        self.assertAlmostEqual(free["amplitude"] / abs(displacement), 1, delta=1e-9)
+        blocked = modal["blocked_capacitance"] * complex(1, -modal["loss_tangent"]) * motor["voltage"]
+        current = 1j * omega * (blocked + modal["force_factor"] * displacement / math.sqrt(2))
+        self.assertAlmostEqual(free["phase_current"] / abs(current), 1, delta=1e-9)
+        self.assertAlmostEqual(free["electrical_power"] / (2 * motor["voltage"] * current.real), 1, delta=1e-8)
+        text = self.ok("stator", DRIVE, "--set", "preload=0 N")
+        self.assertIn("without rotor", text)
+        self.assertNotIn("under load", text)
+
     def test_what_is_missing_is_said(self):
         self.assertIn("ring-60.yaml: this motor has no modal data; give resonance_frequency", self.refused("stator", RING))
         error = self.refused("stator", DRIVE, "--torque", "5 N.m", status=1)

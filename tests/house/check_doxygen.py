@@ -25,6 +25,6 @@ if __name__ == "__main__":
         done = subprocess.run(["doxygen", "-"], input=settings, cwd=tree.ROOT, capture_output=True, text=True)
         pages = len(list(tree.pathlib.Path(folder).rglob("*.html")))
     warnings = sorted(set(done.stderr.replace(f"{tree.ROOT}/", "").splitlines()))
-    headers = [path for path in tree.files("core", "motion", "optim", "studies", suffixes={".hpp"}) if "include" in path.parts]
+    headers = [path for path in tree.files("core", "motion", "solid", "optim", "studies", suffixes={".hpp"}) if "include" in path.parts]
     warnings += [complaint for path in headers for complaint in bare_types(path)]
     tree.finish(warnings + ([f"doxygen exits with {done.returncode}"] if done.returncode else []), pages)

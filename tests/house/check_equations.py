@@ -14,7 +14,7 @@ import tree
 
 DEFINITION = re.compile(r"^(?:    .*\((?P<line>[A-Z]\d+\.\d+)\)\s*$|\|\s*\((?P<row>[A-Z]\d+\.\d+)\)\s*\|)")
 TAG = re.compile(r"(?<![\w.])([A-Z]\d+\.\d+)(?![\w]|\.\d)")
-CODE = ("core", "motion", "optim", "studies", "apps")
+CODE = ("core", "motion", "solid", "optim", "studies", "apps")
 ALSO_CITING = ("bench", "bindings", "examples")
 CHECKS = "C"  # equations that only tests use: closed forms, bounds, scalings
 

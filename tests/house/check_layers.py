@@ -12,6 +12,7 @@ LIBRARIES = {
     "core/stator": ["core/base"],
     "core": ["core/base", "core/stator"],
     "motion": ["core/base", "core/stator", "core"],
+    "solid": ["core/base", "core/stator"],
     "optim": ["core/base"],
     "studies/io": ["core/base"],
     "studies/motors": ["core/base", "core/stator", "core", "studies/io"],
@@ -65,6 +66,7 @@ OTHERS = {
     "bindings/wasm": ["core/base", "core/stator", "core", "studies/io", "studies/motors"],
     "tests/core": ["core/base", "core/stator", "core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/support"],
+    "tests/solid": ["core/base", "core/stator", "solid", "tests/support"],
     "tests/motion": ["core/base", "core/stator", "core", "motion", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/support"],
     "tests/io": ["core/base", "studies/io", "tests/support"],
@@ -188,6 +190,6 @@ def check(path):
 
 
 if __name__ == "__main__":
-    sources = tree.files("core", "motion", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
+    sources = tree.files("core", "motion", "solid", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
                          suffixes=tree.CPP)
     tree.finish([c for path in sources for c in check(path)], len(sources))

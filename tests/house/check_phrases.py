@@ -55,7 +55,7 @@ def names():
 
 if __name__ == "__main__":
     scripts = [p for p in tree.files("studies/page", suffixes={".js"})]
-    sources = [p for p in tree.files("core", "motion", "optim", "studies", "apps", suffixes=tree.CPP) if tree.name(p) not in TABLES]
+    sources = [p for p in tree.files("core", "motion", "solid", "optim", "studies", "apps", suffixes=tree.CPP) if tree.name(p) not in TABLES]
     told = {}
     for path in sources:
         for line, phrase in phrases(tree.text(path), CPP, None):

@@ -35,7 +35,7 @@ def outside(path):
 
 def unlisted():
     """Sources and public headers that no CMakeLists.txt of their layer names."""
-    for layer in ("core", "motion", "optim", "studies", "apps", "bindings", "bench", "tests"):
+    for layer in ("core", "motion", "solid", "optim", "studies", "apps", "bindings", "bench", "tests"):
         lists = tree.files(layer, suffixes={".txt"})
         named = set()
         for cmake in (c for c in lists if c.name == "CMakeLists.txt"):

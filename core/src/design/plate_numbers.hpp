@@ -27,7 +27,10 @@ enum class PlateNumber : unsigned char {
   blocked_capacitance,
   mode_separation,
   ceramic_stress,  ///< per amplitude
-  shape            ///< the first of those at kShapePoints
+#ifndef __wasm__
+  stator_mass,
+#endif
+  shape  ///< the first of those at kShapePoints
 };
 
 inline constexpr std::size_t kPlateNumbers =

@@ -54,6 +54,19 @@ class Evaluator {
   }
   /// @throws SearchFailure without a geometry
   double of_plate(PlateNumber number) const;
+#ifndef __wasm__
+  /// Amplitude of the wave without rotor. @throws SearchFailure without a voltage
+  double free_wave() const {
+    const StatorModes<double>& m = modes();
+    return free_amplitude(m, m_.omega,
+                          std::numbers::sqrt2 * voltage() * m.force_factor * m.unequal.share());
+  }
+  /// Of a phase, rms [V]. @throws SearchFailure without one
+  double voltage() const {
+    if (!motor_.design().stator.voltage) throw SearchFailure{MetricStatus::undefined};
+    return *motor_.design().stator.voltage;
+  }
+#endif
   double product(double a, double b) const { return a * b; }
   CurveSearch& search() { return search_; }
 

@@ -124,6 +124,12 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::layer_aspect:
     case M::pressure_nonuniformity:
     case M::radial_motion_ratio: break;
+#ifndef __wasm__
+    case M::stator_mass:
+    case M::free_amplitude:
+    case M::apparent_power_at:
+    case M::matching_inductance_at: break;
+#endif
   }
   return S(0.0);
 }
@@ -133,10 +139,19 @@ constexpr bool needs_sensor(Metric metric) {
   return metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
 }
 
+#ifdef __wasm__
+constexpr bool is_of_terminals(Metric /*metric*/) { return false; }
+#else
+/// True for what a driver has to give besides power.
+constexpr bool is_of_terminals(Metric metric) {
+  return metric == Metric::apparent_power_at || metric == Metric::matching_inductance_at;
+}
+#endif
+
 /// True for the point metrics that wave_metric() knows.
 constexpr bool is_wave_metric(Metric metric) {
   using M = Metric;
-  return metric == M::phase_lag_at || metric == M::electrical_power_at ||
+  return is_of_terminals(metric) || metric == M::phase_lag_at || metric == M::electrical_power_at ||
          metric == M::overall_efficiency_at || metric == M::phase_current_at ||
          metric == M::power_factor_at || metric == M::loaded_resonance ||
          metric == M::drive_voltage_at || metric == M::dielectric_loss_at ||
@@ -148,8 +163,9 @@ template <typename S>
 bool needs_backward_wave(Metric metric, const StatorModes<S>& modes) {
   using M = Metric;
   if (metric == M::squeal_rate_at) return true;
-  return !modes.unequal.none() && (metric == M::backward_ratio_at ||
-                                   metric == M::phase_current_at || metric == M::power_factor_at);
+  return !modes.unequal.none() &&
+         (metric == M::backward_ratio_at || metric == M::phase_current_at ||
+          metric == M::power_factor_at || is_of_terminals(metric));
 }
 
 /// What a metric of the stator's modes is made of at a point.
@@ -179,6 +195,29 @@ WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes
   return p;
 }
 
+#ifndef __wasm__
+/// Apparent power of both phases (D4.6), or the inductance that takes the reactive current of the first one (D4.7).
+/// @throws SearchFailure if that current is not capacitive
+template <typename S>
+S terminal_metric(Metric metric, const StatorModes<S>& modes, const WaveBalance<S>& w,
+                  const WavePoint<S>& p) {
+  const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
+  if (metric == Metric::apparent_power_at)
+    return modes.unequal.none() ? S(2.0 * t.voltage * t.current) : S(t.power / t.power_factor);
+  const S voltage = std::numbers::sqrt2 * t.voltage;
+  const S reactive = reactive_current(modes, w, p.amplitude, p.omega, voltage, p.backward);
+  if (!(value_of(reactive) > 0)) throw SearchFailure{MetricStatus::undefined};
+  return voltage / (p.omega * reactive);
+}
+
+/// Amplitude of the wave of a stator that no rotor touches (D3.6) [m].
+/// @param force  of the voltage on the forward wave, Theta u_f [N]
+template <typename S>
+S free_amplitude(const StatorModes<S>& modes, const S& omega, const S& force) {
+  return force / wave_balance(modes, S(1.0), omega, S(0.0), S(0.0)).force();
+}
+#endif
+
 /// A point metric of the stator's modes; S is double or carries derivatives.
 template <typename S>
 S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p) {
@@ -196,6 +235,9 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
     const SensorSignal<S> signal = sensor_signal(modes, w, p.amplitude, p.omega);
     return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
   }
+#ifndef __wasm__
+  if (is_of_terminals(metric)) return terminal_metric(metric, modes, w, p);
+#endif
   const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
   if (metric == M::drive_voltage_at) return t.voltage;
   if (metric == M::electrical_power_at) return t.power;
@@ -265,6 +307,12 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::capacitance_ratio:
       return to.of_modes([](const auto& m) { return capacitance_ratio(m); });
     case M::mode_separation: return to.of_plate(PlateNumber::mode_separation);
+#ifndef __wasm__
+    case M::stator_mass: return to.of_plate(PlateNumber::stator_mass);
+    case M::free_amplitude: return to.free_wave();
+    case M::apparent_power_at:
+    case M::matching_inductance_at: break;
+#endif
     case M::ceramic_stress:
       return to.product(to.of_plate(PlateNumber::ceramic_stress),
                         to.at(M::amplitude_at, to.crossing(search.no_load(), to.fixed(0))));

@@ -226,6 +226,19 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::dynamic_start_voltage, "dynamic_start_voltage", "V", A::none,
      "smallest voltage whose step starts the motor from rest without load, rms", kModes, !kGeometry,
      !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
+#ifndef __wasm__
+    {M::stator_mass, "stator_mass", "kg", A::none,
+     "mass of the stator's metal, glue and ceramic, clamp excluded", !kModes, kGeometry},
+    {M::free_amplitude, "free_amplitude", "m", A::none,
+     "amplitude of the wave of the stator without rotor, at the motor's voltage and frequency",
+     kModes},
+    {M::apparent_power_at, "apparent_power_at", "V.A", A::speed_or_torque,
+     "voltage times current, both phases together", kModes},
+    {M::matching_inductance_at, "matching_inductance_at", "H", A::speed_or_torque,
+     "inductance that, in parallel with a phase, takes its reactive current; undefined where this "
+     "current is not capacitive",
+     kModes},
+#endif
 }};
 
 // A page has the texts besides (metrics_json()), and its core does without them.

@@ -47,7 +47,11 @@ namespace {
 // Numbers that the wave does not enter: of a motor under a voltage it need not be followed.
 bool needs_no_wave(Metric metric) {
   return metric == Metric::holding_torque || metric == Metric::coupling_factor ||
-         metric == Metric::capacitance_ratio || metric == Metric::mode_separation;
+         metric == Metric::capacitance_ratio || metric == Metric::mode_separation ||
+#ifndef __wasm__
+         metric == Metric::stator_mass ||
+#endif
+         false;
 }
 
 // What provide_motion_metrics() was given.

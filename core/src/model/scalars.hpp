@@ -68,14 +68,19 @@ constexpr int drive_direction(Parameter parameter) {
   return kDirections + i;
 }
 
-/// What metrics take of the plate alone.
+/// What metrics take of the plate alone: consecutive numbers.
+#ifdef __wasm__
 inline constexpr std::array kPlateMetrics{PlateNumber::mode_separation,
                                           PlateNumber::ceramic_stress};
+#else
+inline constexpr std::array kPlateMetrics{PlateNumber::mode_separation, PlateNumber::ceramic_stress,
+                                          PlateNumber::stator_mass};
+#endif
 
 /// Direction of one of kPlateMetrics.
 constexpr int plate_direction(PlateNumber number) {
-  const int first = kDirections + static_cast<int>(kDriveParameters.size());
-  return number == kPlateMetrics[0] ? first : first + 1;
+  return kDirections + static_cast<int>(kDriveParameters.size()) + static_cast<int>(number) -
+         static_cast<int>(kPlateMetrics[0]);
 }
 
 inline constexpr int kDesignDirections = plate_direction(kPlateMetrics.back()) + 1;

@@ -108,6 +108,18 @@ struct ModeNumbers {
   std::vector<S> shape_values;
 };
 
+#ifndef __wasm__
+/// Of all segments (P4.9) [kg].
+template <typename S>
+S mass_of(const StatorPlate<S>& plate) {
+  S mass(0.0);
+  for (const SegmentOf<S>& segment : plate.segments)
+    mass += std::numbers::pi * (segment.outer * segment.outer - segment.inner * segment.inner) *
+            segment.section.mass;
+  return mass;
+}
+#endif
+
 template <typename S>
 ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const Numbers<S>& x,
                             const Solution<S>& solution, double waves_per_phase,

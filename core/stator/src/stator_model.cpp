@@ -41,6 +41,14 @@ StatorModel published(const ModeNumbers<S>& m) {
   return model;
 }
 
+template <typename S>
+StatorModel with_mass(StatorModel model, [[maybe_unused]] const StatorPlate<S>& plate) {
+#ifndef __wasm__
+  model.stator_mass = published(mass_of(plate));
+#endif
+  return model;
+}
+
 RadialFunction normalized(const RadialFunction& shape, double radius) {
   auto pieces = shape.pieces();
   const double scale = 1 / shape(radius);
@@ -201,15 +209,17 @@ StatorModel SolvedStator::numbers(Derivatives derivatives) const {
   if (derivatives == Derivatives::none || m.identity == ModeIdentity::crossing) {
     const Solution<double> solution{m.order.spectrum.eigenvalues[m.wave],
                                     m.order.spectrum.vectors[m.wave]};
-    return published(mode_numbers(m.order.mesh, m.plate,
-                                  plain_numbers(m.geometry, m.contact_radius), solution, waves,
-                                  m.offsets));
+    return with_mass(
+        published(mode_numbers(m.order.mesh, m.plate, plain_numbers(m.geometry, m.contact_radius),
+                               solution, waves, m.offsets)),
+        m.plate);
   }
   const auto numbers = dual_numbers(m.geometry, m.contact_radius);
   const auto plate = make_plate(m.geometry, numbers);
   const auto solution =
       derived_solution(m.order.mesh, m.plate.segments, plate.segments, m.order.spectrum, m.wave);
-  return published(mode_numbers(m.order.mesh, plate, numbers, solution, waves, m.offsets));
+  return with_mass(
+      published(mode_numbers(m.order.mesh, plate, numbers, solution, waves, m.offsets)), plate);
 }
 
 StatorModel SolvedStator::wave(Derivatives derivatives) const {

@@ -29,21 +29,13 @@ bool is_joint(const stator::StatorModel& plate, std::string_view name) {
   });
 }
 
-// A radius of the design that coincides with another one and does not follow from it; nothing if there is none.
+// Nothing if the plate has a derivative in the radius alone.
 std::optional<Parameter> radius_beside(const MotorDesign& design, Parameter radius,
                                        const std::vector<DerivedParameter>& derived) {
   if (!is_joint(*plate_model(design, stator::OtherModes::none, stator::Derivatives::none),
                 info(radius).name))
     return {};
-  const double place = get(design, radius),
-               same = kSameEdge * get(design, Parameter::substrate_outer_radius);
-  for (const Parameter other : kRadii) {
-    if (other == radius || !in_use(design, other)) continue;
-    const bool follows = std::any_of(derived.begin(), derived.end(),
-                                     [=](const auto& one) { return one.parameter == other; });
-    if (!follows && std::fabs(get(design, other) - place) <= same) return other;
-  }
-  return {};
+  return equal_radius(design, radius, derived);
 }
 
 // Where the search begins.
@@ -103,6 +95,20 @@ class DerivativeCheck {
 };
 
 }  // namespace
+
+std::optional<Parameter> equal_radius(const MotorDesign& design, Parameter radius,
+                                      const std::vector<DerivedParameter>& derived) {
+  if (!design.stator.geometry || std::ranges::find(kRadii, radius) == std::end(kRadii)) return {};
+  const double place = get(design, radius),
+               same = kSameEdge * get(design, Parameter::substrate_outer_radius);
+  for (const Parameter other : kRadii) {
+    if (other == radius || !in_use(design, other)) continue;
+    const bool follows = std::any_of(derived.begin(), derived.end(),
+                                     [=](const auto& one) { return one.parameter == other; });
+    if (!follows && std::fabs(get(design, other) - place) <= same) return other;
+  }
+  return {};
+}
 
 void check_plate_derivatives(const Study& study, const MotorDesign& motor, const YamlNode& root,
                              Diagnostics& diagnostics) {

@@ -70,6 +70,8 @@ bool has_values_everywhere(Metric metric) {
     case Metric::pull_out_frequency:
     case Metric::coupling_factor:
     case Metric::capacitance_ratio:
+    case Metric::stator_mass:
+    case Metric::free_amplitude:
     case Metric::mode_separation: return true;
     default: return false;
   }

@@ -49,7 +49,8 @@ Json units_of(std::string_view si_unit) {
 std::set<std::string> units_of_tables() {
   std::set<std::string> units;
   for (const ParameterInfo& row : parameter_table()) units.emplace(row.unit);
-  for (const MetricInfo& row : metric_table()) units.emplace(row.unit);
+  for (const MetricInfo& row : metric_table())
+    if (row.metric != Metric::apparent_power_at) units.emplace(row.unit);  // no other has V.A
   return units;
 }
 
@@ -151,11 +152,22 @@ Json parameters_json(std::string_view text) {
   return json;
 }
 
+// Metrics that the core of a page does not compute, and which stand in a page only if it names them.
+bool left_out_of_pages(const MetricInfo& row) {
+  switch (row.metric) {
+    case Metric::radial_motion_ratio:
+    case Metric::stator_mass:
+    case Metric::free_amplitude:
+    case Metric::apparent_power_at:
+    case Metric::matching_inductance_at: return true;
+    default: return row.needs_thermal || row.needs_wear || row.needs_motion;
+  }
+}
+
 Json metrics_json(std::string_view text) {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table()) {
-    const bool absent = row.needs_thermal || row.needs_wear || row.needs_motion ||
-                        row.metric == Metric::radial_motion_ratio;
+    const bool absent = left_out_of_pages(row);
     if (absent && !names(text, row.name)) continue;
     json[std::string(row.name)] = only_true(
         {{"unit", row.unit},

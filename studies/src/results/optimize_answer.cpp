@@ -43,6 +43,7 @@ Json answer_json(const OptimizeResult& result) {
   json["variables_without_influence"] = result.without_influence;
   json["moves"] = moves_json(result.moving, result.moves);
   if (!result.unmoved.empty()) json["moves_missing"] = result.unmoved;
+  for (const auto& [radius, other] : result.touching) json["moves_touching"][radius] = other;
   json["scan"] = scan_json(result.scan);
   json["solver"] = result.solver;
   json["stages"] = stages_json(result);

@@ -106,9 +106,9 @@ Phrase example(const std::vector<NamedValue>& answer, const Move& move, const st
 
 }  // namespace
 
-std::vector<Section> moves_sections(const std::vector<NamedValue>& answer,
-                                    const std::vector<Move>& moves, const std::string& goal,
-                                    const std::string& missing) {
+std::vector<Section> moves_sections(
+    const std::vector<NamedValue>& answer, const std::vector<Move>& moves, const std::string& goal,
+    const std::string& missing, const std::vector<std::pair<std::string, std::string>>& touching) {
   Section section{{"How the answer changes if a fixed parameter is 1 % larger"}};
   if (!missing.empty()) {
     section.heading = {"Fixed parameters"};
@@ -122,6 +122,10 @@ std::vector<Section> moves_sections(const std::vector<NamedValue>& answer,
       "Each row has one parameter 1 % larger, the others as they are, and the answer found again."};
   section.sentences = unchanged(answer, order);
   section.sentences.push_back(example(answer, *order.front(), goal));
+  for (const auto& [radius, other] : touching)
+    section.sentences.push_back({name_part(radius), " has no row, because it is equal to ",
+                                 name_part(other),
+                                 ". Moved alone, it would make an edge of its own."});
   section.tables = {table_of(answer, order)};
   return {section};
 }

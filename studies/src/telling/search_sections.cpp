@@ -311,7 +311,8 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
   add({design(answer, sources), metrics(answer)});
   if (answer.explanation.empty()) {
     list.push_back(trust(answer));
-    add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved));
+    add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved,
+                       answer.touching));
   }
   list.push_back(hooked("others"));
   if (sources.rows != nullptr) add(search(answer, standings, *sources.rows));

@@ -65,9 +65,11 @@ Phrase efficiency_note(const std::vector<NamedValue>& metrics);
 /// @param answer   the numbers that move, in the order of the slopes
 /// @param goal     one of them that is no parameter, if there is one
 /// @param missing  why nothing is known; empty if it is
-std::vector<Section> moves_sections(const std::vector<NamedValue>& answer,
-                                    const std::vector<Move>& moves, const std::string& goal,
-                                    const std::string& missing);
+/// @param touching  radii that are left out, each with the one that it touches
+std::vector<Section> moves_sections(
+    const std::vector<NamedValue>& answer, const std::vector<Move>& moves, const std::string& goal,
+    const std::string& missing,
+    const std::vector<std::pair<std::string, std::string>>& touching = {});
 
 /// How many of the motors keep the limits, or that the wanted share cannot be reached.
 Phrase yield_phrase(const RobustYield& yield);

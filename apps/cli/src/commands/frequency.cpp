@@ -67,6 +67,17 @@ RotorLoad load_of(const LoadOptions& options) {
   return {Argument::torque, parse_torque("--torque", options.torque)};
 }
 
+// A stator that no rotor touches: the wave is the same at every speed, and there is no torque.
+bool has_no_rotor(const MotorDesign& design) { return design.preload == 0; }
+
+RotorLoad free_load(const RotorLoad& asked) {
+  if (asked.given == Argument::torque && asked.value != 0)
+    throw InputError("--torque: " + engineering(asked.value, "N.m") +
+                     " cannot be carried with a preload of 0 N; leave it out to see the stator "
+                     "without rotor");
+  return {Argument::speed, asked.given == Argument::speed ? asked.value : 0};
+}
+
 // The given ends; an end that is not given is that of the response itself.
 std::optional<std::pair<double, double>> range_of(const FrequencyOptions& options,
                                                   const MotorDesign& design,
@@ -97,6 +108,7 @@ FrequencyAnswer compute_frequency(const FrequencyOptions& options) {
   const std::size_t points =
       options.points.empty() ? 41 : parse_count("--points", options.points, 2, 100000);
   answer.load = load_of(options.load);
+  if (has_no_rotor(design)) answer.load = free_load(answer.load);
   const FrequencyResponse response(design, answer.load, range_of(options, design, answer.load));
   answer.from = response.from(), answer.to = response.to();
   answer.operating = drive_frequency(design);
@@ -182,6 +194,7 @@ std::string as_csv(const FrequencyAnswer& answer) {
 std::string headline(const FrequencyAnswer& answer) {
   const std::string name =
       answer.file.name.empty() ? "motor" : studies::printable(answer.file.name);
+  if (has_no_rotor(answer.file.design)) return name + ", stator without rotor";
   const bool at_speed = answer.load.given == Argument::speed;
   return name + ", rotor " + (at_speed ? "at " : "under ") +
          engineering(answer.load.value, at_speed ? "rad/s" : "N.m");
@@ -192,7 +205,7 @@ std::string findings(const FrequencyAnswer& answer) {
   const std::string own = engineering(answer.operating, "Hz");
   table.rows.push_back({"at " + own + ", the drive's frequency",
                         answer.running ? studies::wave_text(*answer.running) : "no steady wave"});
-  if (answer.running)
+  if (answer.running && !has_no_rotor(answer.file.design))
     table.rows.push_back(
         {"  a backward wave grows (squeal)", studies::squeal_text(*answer.running)});
   if (answer.pull_out) {

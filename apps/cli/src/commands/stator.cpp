@@ -10,6 +10,7 @@
 #include "output.hpp"
 #include "plate_parts.hpp"
 #include "plot/stator_plot.hpp"
+#include "solid/solid_command.hpp"
 #include "text_table.hpp"
 
 #include <twum/core/equivalent_circuit.hpp>
@@ -32,6 +33,7 @@ constexpr const char* kStatorExamples = R"text(Examples:
   twum stator examples/motors/drive-60.yaml
   twum stator drive-60.yaml --torque "0.5 N.m"
   twum stator plate-60.yaml --modes 10 --plot modes.svg
+  twum stator plate-60.yaml --solid --write -o solid
   twum stator drive-60.yaml --set "preload=140 N" --format json -o stator.json)text";
 
 struct StatorOptions {
@@ -40,6 +42,9 @@ struct StatorOptions {
   OutputOptions output;
   std::string modes;
   std::string plot;
+  bool solid{false};
+  std::string mesh;
+  bool write{false};
 };
 
 struct StatorAnswer {
@@ -84,14 +89,25 @@ constexpr Quantity<P> kPoint[] = {
     {"electrical_power", "W", [](const P& p) { return p.electrical_power; }},
     {"overall_efficiency", "1", [](const P& p) { return p.overall_efficiency(); }}};
 
+constexpr Quantity<P> kFreePoint[] = {
+    {"voltage", "V", [](const P& p) { return p.voltage; }},
+    {"amplitude", "m", [](const P& p) { return p.amplitude; }},
+    {"phase_lag", "rad", [](const P& p) { return p.phase_lag; }},
+    {"phase_current", "A", [](const P& p) { return p.phase_current; }},
+    {"electrical_power", "W", [](const P& p) { return p.electrical_power; }}};
+
 constexpr Quantity<ContactCircuit> kContact[] = {
     {"contact_resistance", "ohm", [](const ContactCircuit& c) { return c.resistance; }},
     {"contact_capacitance", "F", [](const ContactCircuit& c) { return c.capacitance; }}};
+
+// A stator that no rotor touches: the wave is the same at every speed.
+bool without_rotor(const MotorDesign& design) { return design.preload == 0; }
 
 // The speed asked for, or that of the largest overall efficiency. If there is none, prints a message and returns
 // nothing.
 std::optional<double> loaded_speed(const StatorOptions& options, const Motor& motor) {
   if (options.load.given()) return speed_of(options.load, motor);
+  if (without_rotor(motor.design())) return 0;
   const MetricValue best = evaluate(motor, {Metric::speed_at_max_overall_efficiency});
   if (best.status == MetricStatus::ok) return best.value;
   say(std::string("note: no operating point under load: ") + to_string(best.status));
@@ -151,7 +167,13 @@ std::string as_json(const StatorAnswer& answer) {
   if (answer.free) add_json(json["equivalent_circuit"], units, kCircuit, *answer.free);
   json["under_load"] = nullptr;
   if (answer.point) {
-    Json& loaded = json["under_load"];
+    const bool free = without_rotor(answer.file.design);
+    Json& loaded = json[free ? "without_rotor" : "under_load"];
+    if (free) {
+      add_json(loaded, units, kFreePoint, *answer.point);
+      json["units"] = units;
+      return json_text(json);
+    }
     add_json(loaded, units, kPoint, *answer.point);
     add_json(loaded, units, kContact, answer.contact);
     add_json(loaded["equivalent_circuit"], units, kCircuit,
@@ -181,11 +203,12 @@ std::string modal_text(const MotorDesign& design) {
 
 std::string circuits_text(const StatorAnswer& answer) {
   TextTable table{{{"circuit of a phase", "free"}}};
-  if (answer.point) table.rows[0].emplace_back("under load");
+  const bool loaded_too = answer.point && !without_rotor(answer.file.design);
+  if (loaded_too) table.rows[0].emplace_back("under load");
   const EquivalentCircuit loaded = with_contact(*answer.free, answer.contact);
   for (const Quantity<C>& one : kCircuit) {
     table.rows.push_back({one.name, shown(one.value(*answer.free), one.unit)});
-    if (answer.point) table.rows.back().push_back(shown(one.value(loaded), one.unit));
+    if (loaded_too) table.rows.back().push_back(shown(one.value(loaded), one.unit));
   }
   return aligned(table);
 }
@@ -198,13 +221,35 @@ std::string as_table(const StatorAnswer& answer) {
     text += plate_text(answer.file.design, answer.modes) + "\n";
   if (answer.free) text += circuits_text(answer);
   if (!answer.point) return text;
+  if (without_rotor(answer.file.design)) {
+    TextTable point{{{"without rotor", ""}}};
+    add_rows(point, kFreePoint, *answer.point);
+    return text + "\n" + aligned(point);
+  }
   TextTable point{{{"under load", ""}}};
   add_rows(point, kPoint, *answer.point);
   add_rows(point, kContact, answer.contact);
   return text + "\n" + aligned(point);
 }
 
+// Options that only one of the two ways to compute a stator has.
+void check_options(const StatorOptions& options) {
+  if (!options.solid && (!options.mesh.empty() || options.write))
+    throw InputError("--mesh and --write belong to --solid, which is not given");
+  if (options.solid && options.load.given())
+    throw InputError("--solid has no operating point: leave out --torque and --speed");
+}
+
+int run_as_solid(const StatorOptions& options) {
+  const std::size_t modes =
+      options.modes.empty() ? kListedModes : parse_count("--modes", options.modes, 1, kMostModes);
+  return run_solid_stator({options.motor, options.output.format, options.output.path, options.mesh,
+                           modes, options.plot, options.write});
+}
+
 int run_stator(const StatorOptions& options) {
+  check_options(options);
+  if (options.solid) return run_as_solid(options);
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
@@ -235,6 +280,17 @@ void add_stator(CLI::App& app, Action& action) {
       ->type_name("N");
   add_output_options(*command, options->output, {"table", "json"});
   add_plot_option(*command, options->plot);
+  command->add_flag(
+      "--solid", options->solid,
+      "Compute the geometry as a solid with CalculiX, beside the plate model; -o then "
+      "names a folder for its files");
+  command
+      ->add_option("--mesh", options->mesh,
+                   "With --solid: elements through the plate (default: 5, about a minute)")
+      ->type_name("N");
+  command->add_flag("--write", options->write,
+                    "With --solid: write a copy of the motor file, MOTOR-solid.yaml, whose "
+                    "stiffness_share gives the plate the solid's frequency");
   command->footer(kStatorExamples);
   command->callback([options, &action] { action = [options] { return run_stator(*options); }; });
 }

@@ -2,42 +2,13 @@
 #include "fmu/compiler.hpp"
 
 #include "child_process.hpp"
-#include "output.hpp"
+#include "scratch_folder.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 
 namespace twum::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-// A folder of our own among the temporary files.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_((fs::temp_directory_path() / "twum-XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw OutputError(std::string("a temporary folder for the compiler cannot be made: ") +
-                        std::strerror(errno));
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -47,7 +18,7 @@ std::string bytes_of(const std::string& path) {
 }  // namespace
 
 Compiled compile_shared_library(const std::vector<SourceFile>& files) {
-  const ScratchFolder folder;
+  const ScratchFolder folder("the compiler");
   const std::string library = folder.file("unit.so");
   std::vector<std::string> words{
       "cc", "-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-s", "-o", library};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/stator_plot.hpp"
 
+#include "plot/section_panel.hpp"
 #include "plot/style.hpp"
 
 #include <twum/core/plate.hpp>
@@ -66,9 +67,9 @@ std::string shape_panel(const MotorDesign& design, const stator::StatorModel& pl
   const Stator& s = design.stator;
   const auto [inner, outer] = edges_of(plate);
   const auto mm = [](double length) { return plot_number(1e3 * length); };
-  return "set lmargin at screen 0.11\nset rmargin at screen 0.95\nset tmargin at screen 0.92\nset "
+  return "set lmargin at screen 0.11\nset rmargin at screen 0.95\nset tmargin at screen 0.726\nset "
          "bmargin at "
-         "screen 0.72\nset format x '%g'\nset xrange [" +
+         "screen 0.568\nset format x '%g'\nset xrange [" +
          mm(inner) + ":" + mm(outer) + "]\nset yrange [*:*]\nset object 1 rectangle from first " +
          mm(s.contact_radius - 0.5 * s.contact_width) + ", graph 0 to first " +
          mm(s.contact_radius + 0.5 * s.contact_width) +
@@ -82,9 +83,9 @@ std::string shape_panel(const MotorDesign& design, const stator::StatorModel& pl
 
 std::string deflection_panel(double outer) {
   const std::string edge = plot_number(1.02e3 * outer);
-  return "set lmargin at screen 0.25\nset rmargin at screen 0.73\nset tmargin at screen 0.645\nset "
+  return "set lmargin at screen 0.25\nset rmargin at screen 0.73\nset tmargin at screen 0.509\nset "
          "bmargin at "
-         "screen 0.26\nset xrange [-" +
+         "screen 0.205\nset xrange [-" +
          edge + ":" + edge + "]\nset yrange [-" + edge + ":" + edge +
          "]\nunset grid\nunset border\nunset xtics\nunset ytics\nunset xlabel\nunset ylabel\n" +
          "set palette defined (-1 '#0072B2', 0 '#F4F4F4', 1 '#D55E00')\n" +
@@ -99,9 +100,9 @@ std::string spectrum_panel(const MotorDesign& design, const stator::StatorModel&
                            double below) {
   const double n = design.stator.wavelengths, frequency = 1e-3 * plate.frequency.v;
   const std::string f = plot_number(frequency);
-  return "set lmargin at screen 0.11\nset rmargin at screen 0.95\nset tmargin at screen 0.22\nset "
+  return "set lmargin at screen 0.11\nset rmargin at screen 0.95\nset tmargin at screen 0.174\nset "
          "bmargin at "
-         "screen 0.075\nset xrange [0:" +
+         "screen 0.059\nset xrange [0:" +
          plot_number(1e-3 * below) + "]\nset yrange [" + plot_number(std::max(-0.5, n - 2.6)) +
          ":" + plot_number(n + 2.6) + "]\nset ytics 1\n" +
          horizontal_label("frequency of the modes", {"kHz", 1}) +
@@ -126,9 +127,11 @@ std::string stator_plot(const studies::MotorFile& file) {
   return plot_data("shape", shape_rows(*plate)) +
          plot_data("plate", deflection_rows(*plate, file.design.stator.wavelengths)) +
          plot_data("modes", mode_rows(*plate, below)) + plot_style(plot_text(motor_title(file))) +
-         "set multiplot\n" + shape_panel(file.design, *plate) +
-         deflection_panel(edges_of(*plate).outer) + spectrum_panel(file.design, *plate, below) +
-         "unset multiplot\n";
+         "set multiplot\n" +
+         section_panel(*file.design.stator.geometry, file.design.stator.contact_radius,
+                       file.design.stator.contact_width, 0.95, 0.775) +
+         shape_panel(file.design, *plate) + deflection_panel(edges_of(*plate).outer) +
+         spectrum_panel(file.design, *plate, below) + "unset multiplot\n";
 }
 
 }  // namespace twum::cli

@@ -9,9 +9,10 @@
 
 namespace twum::cli {
 
-inline constexpr PlotSize kStatorPlotSize{720, 900};
+inline constexpr PlotSize kStatorPlotSize{720, 1140};
 
-/// Script of a picture of a stator with a geometry: R over the radius with the contact track, the deflected plate, and the modes
+/// Script of a picture of a stator with a geometry: its cross-section to scale, R over the radius with the contact track, the deflected
+/// plate, and the modes
 /// of n - 2 to n + 2 over frequency with that of the drive marked.
 std::string stator_plot(const studies::MotorFile& file);
 

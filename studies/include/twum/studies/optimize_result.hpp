@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace twum::studies {
@@ -152,6 +153,8 @@ struct OptimizeResult {
   std::vector<Move> moves;  ///< their derivatives by each fixed parameter that has an influence
   /// why there are no derivatives; empty if there are, or if none were requested
   std::string unmoved;
+  /// fixed parameters that have no such derivatives, each a radius with another one that is equal to it
+  std::vector<std::pair<std::string, std::string>> touching;
   std::optional<RobustReport> robust;  ///< under tolerances; `best` is then the robust optimum
 };
 

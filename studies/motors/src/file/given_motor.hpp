@@ -3,6 +3,7 @@
 
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/core/parameters.hpp>
+#include <twum/motors/solid_data.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -23,6 +24,7 @@ struct GivenMotor {
   std::optional<bool> radial_motion{};
   std::optional<EquivalentCircuit> circuit{};
   std::optional<stator::InnerEdge> inner_edge{};  ///< of the geometry
+  std::optional<SolidData> solid{};               ///< of the geometry as a solid
   std::vector<LoadPhase> operation{};
   std::vector<WearLimit> until{};
   std::optional<double> lining_wear{};  ///< specific wear of the layer's material [m^2/N]

@@ -16,6 +16,10 @@
 namespace twum::motors {
 namespace {
 
+#ifndef __wasm__
+constexpr double kTurn = 6.2831853071795865;  // 2 pi
+#endif
+
 // The box of docs/theory/contact-model.md, section 10, in which random motors are tested. A value of 0
 // is a limit of the model that has tests of its own.
 struct Range {
@@ -120,6 +124,52 @@ void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
            "little before a search starts from this motor"});
   }
 }
+
+#ifndef __wasm__  // of drawings, which a page only opens
+// A wave needs three teeth to have a shape between them; with fewer the tips do not follow it.
+void add_tooth_count(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  constexpr double kFewest = 3;
+  const double n = design.stator.wavelengths, count = design.stator.geometry->teeth->count;
+  if (count >= kFewest * n) return;
+  notes.push_back(
+      {"number of teeth", kFewest * n / count,
+       "the stator has " + rounded_text(count / n, 3) +
+           " teeth per wavelength; with fewer than 3 the tips of the teeth do not follow the "
+           "wave, so take at least " +
+           rounded_text(kFewest * n, 6) + " teeth"});
+}
+
+// First bending frequency of a tooth that stands on a rigid ring: a cantilever of width b and height h has
+// 1.8751^2 / (2 pi sqrt(12)) (b / h^2) sqrt(E / rho).
+double tooth_frequency(const stator::StatorGeometry& g, double width) {
+  constexpr double kCantilever = 0.16154;
+  const double height = g.teeth->height;
+  return kCantilever * width / (height * height) *
+         std::sqrt(g.substrate.youngs_modulus / g.substrate.density);
+}
+
+// Teeth move as rigid bodies in the model of the plate.
+void add_tooth_width(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  constexpr double kRigid = 3;  // a tooth then bends by a ninth of what it moves
+  const stator::StatorGeometry& g = *design.stator.geometry;
+  const double width = kTurn * g.teeth->inner_radius / g.teeth->count - g.teeth->slot_width;
+  const double own = tooth_frequency(g, width), driven = drive_frequency(design);
+  if (!(own < kRigid * driven)) return;
+  notes.push_back(
+      {"width of the teeth", kRigid * driven / own,
+       "the teeth are " + engineering(width, "m") + " wide at their inner radius and " +
+           engineering(g.teeth->height, "m") + " high, and would bend by themselves at " +
+           engineering(own, "Hz") +
+           "; below three times the drive frequency they are not rigid, as the plate model "
+           "has them: make them wider or lower, or compare with 'twum stator --solid'"});
+}
+
+void add_teeth(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  if (!design.stator.geometry || !design.stator.geometry->teeth) return;
+  add_tooth_count(design, notes);
+  add_tooth_width(design, notes);
+}
+#endif
 
 // Relative changes of metrics from one model to another that matter, in words, and the largest.
 struct Changes {
@@ -266,6 +316,9 @@ std::vector<ModelNote> model_notes(const Motor& motor) {
   add_load(motor, notes);
   add_contact(design, motor, notes);
   add_modes(design, notes);
+#ifndef __wasm__
+  add_teeth(design, notes);
+#endif
   if (!motor.slices_settled())
     notes.push_back(
         {"slices", 0,

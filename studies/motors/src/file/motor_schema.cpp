@@ -5,6 +5,7 @@
 #include "file/circuit_shape.hpp"
 #include "file/geometry_shape.hpp"
 #include "file/operation_shape.hpp"
+#include "file/shape_rows.hpp"
 #include "file/wear_shape.hpp"
 
 #include <twum/base/error.hpp>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 
 namespace twum::motors {
 namespace {
@@ -112,30 +114,54 @@ bool check_friction(GivenMotor& motor, const Given& given, Diagnostics& diagnost
   return false;
 }
 
-// One row of a measured or computed shape.
-Shape<std::pair<double, double>> shape_row() {
-  const Shape<double> radius = quantity("radius", "m", "24.5 mm");
-  const Shape<double> amplitude = quantity("R there", "1", "0.9");
-  const auto pair = list("radius and R", path("a number", "24.5 mm"), 2, 2);
-  using Pair = std::pair<double, double>;
-  Shape<Pair> shape;
-  shape.schema = pair.schema;
-  shape.read = [=](Pair& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
-    std::vector<std::string> texts;
-    if (!pair.read(texts, node, spot, diagnostics)) return false;
-    const auto at = [&](std::size_t i) {
-      return Spot{spot.path + "[" + std::to_string(i) + "]", node.items[i].mark};
-    };
-    const bool first = radius.read(into.first, node.items[0], at(0), diagnostics);
-    return amplitude.read(into.second, node.items[1], at(1), diagnostics) && first;
+// Data of another file, which stands beside the motor's file or at an absolute path.
+Field<GivenMotor> solid_field() {
+  const Shape<std::string> name = path(
+      "file with modal data of the geometry as a solid, from 'twum stator --solid -o'; they "
+      "replace those of the plate model",
+      "solid/solid.yaml");
+  Field<GivenMotor> field;
+  field.entry.name = "solid";
+  field.entry.schema = name.schema;
+  field.entry.shown = false;
+  field.entry.fallback = "the plate model";
+  field.read = [read = name.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
+                                  Diagnostics& diagnostics) {
+    std::string typed;
+    if (!read(typed, node, spot, diagnostics)) return false;
+    const std::filesystem::path folder =
+        std::filesystem::path(diagnostics.source().name()).parent_path();
+    try {
+      into.solid = read_solid_file((folder / typed).string());
+    } catch (const InputError& error) {
+      const std::string first = std::string(error.what());  // of several, each with its line
+      diagnostics.add(node.mark, spot.path, first.substr(0, first.find('\n')),
+                      "expected a file that 'twum stator MOTOR --solid -o FOLDER' wrote");
+    }
+    return into.solid.has_value();
   };
-  shape.write = [=](const Pair& row) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::list;
-    node.items = {radius.write(row.first), amplitude.write(row.second)};
-    return node;
+  field.write = [](const GivenMotor&) { return std::optional<YamlNode>(); };  // by its values
+  return field;
+}
+
+// Data of a solid belong to the geometry beside them, as long as it is the same.
+void check_solid(const GivenMotor& motor, const MotorDesign& design, const Given& given,
+                 Diagnostics& diagnostics) {
+  const YamlNode* solid = given.node().find("stator")->find("solid");
+  const auto say = [&](const std::string& found, const std::string& expected) {
+    diagnostics.add(solid->mark, given.path("stator") + ".solid", found, expected);
   };
-  return shape;
+  if (!design.stator.geometry) {
+    say("modal data of a solid without its geometry",
+        "must stand beside the 'geometry' that was solved");
+    return;
+  }
+  std::string changes;
+  for (const std::string& change : changes_since(*motor.solid, design))
+    changes += (changes.empty() ? "" : "; ") + change;
+  if (!changes.empty())
+    say("the stator has changed since it was solved: " + changes,
+        "solve it again with 'twum stator --solid', or leave the entry out");
 }
 
 Field<GivenMotor> branch_field() {
@@ -314,6 +340,7 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
     fields.push_back(control_field());
     fields.push_back(frequency_range_field());
     fields.push_back(radial_motion_field());
+    fields.push_back(solid_field());
   }
   if (path.empty())
     fields.push_back(hidden(
@@ -337,7 +364,7 @@ std::vector<ParameterValue> all_values(const GivenMotor& given) {
   return values;
 }
 
-MotorFile motor_of(const GivenMotor& given) {
+MotorFile plate_motor_of(const GivenMotor& given) {
   // Entries that a valid file leaves out: mu_0 = mu, and no modal damping.
   MotorDesign blank;
   blank.stator.modal_damping = 0;
@@ -355,18 +382,36 @@ MotorFile motor_of(const GivenMotor& given) {
   return {given.name, with(blank, all_values(given))};
 }
 
+// With the modal data of a solid, these in place of the geometry.
+MotorFile motor_of(const GivenMotor& given) {
+  MotorFile motor = plate_motor_of(given);
+  if (given.solid && motor.design.stator.geometry)
+    motor.design = with_solid(motor.design, *given.solid);
+  return motor;
+}
+
+void check_plate(const MotorDesign& design, const Given& given, Diagnostics& diagnostics) {
+  for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
+  if (diagnostics.empty())
+    plate_model(design, stator::OtherModes::none,
+                stator::Derivatives::none);  // throws if there is no mode for the wave
+}
+
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   if (!diagnostics.empty()) return false;  // errors were added before; the motor is not made
   if (!check_operation(motor.operation, motor.value(Parameter::voltage).has_value(), given,
                        diagnostics))
     return false;
   try {
-    const MotorDesign design = motor_of(motor).design;
-    if (!design.stator.geometry) return true;
-    for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
-    if (diagnostics.empty())
-      plate_model(design, stator::OtherModes::none,
-                  stator::Derivatives::none);  // throws if there is no mode for the wave
+    const MotorDesign design = plate_motor_of(motor).design;
+    if (motor.solid) check_solid(motor, design, given, diagnostics);
+    if (!design.stator.geometry) return diagnostics.empty();
+    if (!motor.solid) {
+      check_plate(design, given, diagnostics);
+    } else if (diagnostics.empty()) {
+      for (const std::string& wrong : complaints(motor_of(motor).design))
+        say_of_motor(wrong, given, diagnostics);
+    }
   } catch (const EvaluationError& error) {
     say_of_motor(error.what(), given, diagnostics);
   } catch (const InputError& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibrate/answer_moves.hpp"
 
+#include "entries/plate_derivatives.hpp"
+
 #include <twum/optim/fit_moves.hpp>
 
 #include <algorithm>
@@ -32,7 +34,9 @@ bool may_move(const MotorDesign& motor, const ParameterInfo& row) {
 std::vector<Move> moves_of(const MeasuredFit& fit, const optim::LeastSquaresResult& best) {
   std::vector<Parameter> held;
   for (const ParameterInfo& row : parameter_table())
-    if (may_move(fit.motor(), row) && !fit.sets(row.parameter)) held.push_back(row.parameter);
+    if (may_move(fit.motor(), row) && !fit.sets(row.parameter) &&
+        !equal_radius(fit.motor(), row.parameter, {}))
+      held.push_back(row.parameter);
   std::vector<double> at;
   for (const optim::Estimate& e : best.estimates) at.push_back(e.value);
   const std::size_t n = at.size();

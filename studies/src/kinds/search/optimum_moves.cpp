@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search/optimum_moves.hpp"
 
+#include "entries/plate_derivatives.hpp"
 #include "kinds/calibrate/answer_moves.hpp"
 
 #include <twum/optim/optimum_moves.hpp>
@@ -22,6 +23,20 @@ std::vector<Parameter> held_parameters(const DesignProblem& question, const Moto
     if (!taken && may_move(motor, row)) held.push_back(row.parameter);
   }
   return held;
+}
+
+// Moves the radii that touch another one into the result's list.
+std::vector<Parameter> without_touching(const DesignProblem& question, const MotorDesign& motor,
+                                        const std::vector<Parameter>& held,
+                                        OptimizeResult& result) {
+  std::vector<Parameter> kept;
+  for (const Parameter parameter : held) {
+    if (const auto other = equal_radius(motor, parameter, question.derived))
+      result.touching.emplace_back(info(parameter).name, info(*other).name);
+    else
+      kept.push_back(parameter);
+  }
+  return kept;
 }
 
 // The same question with these parameters as further variables, each held at its value.
@@ -68,7 +83,8 @@ void add_moves(const DesignProblem& question, const optim::Result& found, Optimi
   const auto count = static_cast<std::ptrdiff_t>(question.variables.size());
   const std::vector<double> design(found.design.begin(), found.design.begin() + count);
   const MotorDesign motor = motor_of(question, design);
-  std::vector<Parameter> held = held_parameters(question, motor);
+  std::vector<Parameter> held =
+      without_touching(question, motor, held_parameters(question, motor), result);
   held = counting(motor_problem(widened(question, held, motor)), with_values(design, held, motor),
                   held);
   const optim::OptimumMoves moves =

@@ -8,7 +8,8 @@
 namespace twum::studies {
 
 /// Computes the derivatives of an optimum with respect to each parameter that its question holds fixed and that has
-/// an influence (L5.2, L5.3), or the reason why there are none. Sets `moving`, `moves` and `unmoved` of the result.
+/// an influence (L5.2, L5.3), or the reason why there are none. Sets `moving`, `moves`, `unmoved` and
+/// `touching` of the result.
 /// @param question  with the sets of the optimum in its motor and integer variables fixed; its one goal is not a
 ///         statistic
 /// @param found     an optimum of the question

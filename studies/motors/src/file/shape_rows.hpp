@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/io/shape.hpp>
+
+#include <utility>
+
+namespace twum::motors {
+
+/// One row of a measured or computed shape: a radius [m] and R.
+Shape<std::pair<double, double>> shape_row();
+
+}  // namespace twum::motors
