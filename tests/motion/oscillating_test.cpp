@@ -26,9 +26,10 @@ MotionTask oscillating(const MotorDesign& d, double duration) {
   return task;
 }
 
-Profile with_added(const Profile& profile, double more) {
+// The phase difference of a lead eps of the second phase beyond a quarter of a turn (D6.1).
+Profile difference_of(const Profile& eps) {
   std::vector<Profile::Row> rows;
-  for (const auto& [time, value] : profile.rows()) rows.emplace_back(time, value + more);
+  for (const auto& [time, value] : eps.rows()) rows.emplace_back(time, kQuarterTurn - value);
   return Profile(rows);
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("oscillating motions follow another program within four times its erro
     MotionTask task = oscillating(d, rows.back()["t"]);
     task.voltage = profile_of(first.word("V")), task.frequency = profile_of(first.word("f"));
     task.load_torque = profile_of(first.word("TL"));
-    task.phase_difference = with_added(profile_of(first.word("eps")), kQuarterTurn);
+    task.phase_difference = difference_of(profile_of(first.word("eps")));
     for (const CsvRow& row : rows) task.output_times.push_back(row["t"]);
     const Motion m = simulate(d, task);
     REQUIRE(m.status == "ok");
@@ -155,7 +156,7 @@ TEST_CASE("the phase difference changes the speed as another program found",
     MotorDesign d = elastic_60(1e-4);
     d.rotor.mass = row.mass, d.rotor.axial_damping = 1000;
     MotionTask task = oscillating(d, 0.03);
-    task.phase_difference = (90 + row.eps) * kDegree;
+    task.phase_difference = (90 - row.eps) * kDegree;
     const Motion m = simulate(d, task);
     const double speed = row.eps == -90 ? std::abs(m.last.speed) : m.last.speed;
     // Both programs have errors of 0.2 % of the largest speed at these steps.

@@ -137,8 +137,8 @@ void OscillatingRun::lead_in(const Stretch& first, Complex zeta, double speed) {
 ActingNow OscillatingRun::acting_at(double time) const {
   const double now = std::min(time, stretch_.end);
   const double peak = std::numbers::sqrt2 * stretch_.voltage.at(now);
-  const double lead = stretch_.phase_difference.at(now) - kQuarter + imbalance_.phase_error;
-  const double second = stretch_.direction * imbalance_.voltage_ratio * std::sin(phase_ + lead);
+  const double lag = stretch_.phase_difference.at(now) - imbalance_.phase_error;
+  const double second = stretch_.direction * imbalance_.voltage_ratio * std::cos(phase_ - lag);
   return {{peak * std::cos(phase_), peak * second}, stretch_.off, stretch_.load_torque.at(now)};
 }
 

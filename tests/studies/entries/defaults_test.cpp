@@ -28,6 +28,11 @@ std::vector<std::string> shortest_studies() {
       "{kind: heat, torque: 0.5 N.m}",
       "{kind: life, torque: 0.5 N.m}",
       "{kind: motion, duration: 10 ms}",
+      "{kind: motion, duration: 10 ms, control: {kind: speed, reference: 120 rpm, range: [39.7 "
+      "kHz, "
+      "44.5 kHz]}}",
+      "{kind: motion, duration: 10 ms, control: {kind: position, reference: 0.5 rad, range: [40.2 "
+      "kHz, 43.6 kHz]}}",
       "{kind: optimize, maximize: peak_power, " + range + "}",
       "{kind: pareto, objectives: [{maximize: peak_power}, {minimize: preload}], " + range + "}",
       "{kind: size, duty: [{torque: 0.5 N.m, speed: 100 rpm}], " + range + "}",

@@ -41,6 +41,7 @@ double time_to(Samples samples, const MotionColumn& column, double level) {
 // When a number came to stay within a share of its last value, linear between two samples.
 double settling_time(Samples samples, const MotionColumn& column, double share) {
   const double last = column.of(samples.back()), allowed = share * std::abs(last);
+  if (std::isnan(last)) return kNoValue;
   for (std::size_t i = samples.size(); i-- > 0;) {
     const double distance = std::abs(column.of(samples[i]) - last);
     if (!(distance > allowed)) continue;

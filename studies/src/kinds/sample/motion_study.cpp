@@ -92,10 +92,10 @@ class MotionRun : public FamilyRun<MotionResult> {
   // Of the time for both accuracies, that of the finer one: a quarter of the points and steps takes a quarter of the time.
   static constexpr double kFineShare = 0.8;
 
-  // Tells each hundredth of an oscillating motion.
+  // Tells each thousandth of an oscillating motion.
   bool goes_on(double time, double from, double& told) const {
     const double share = from + (from == 0 ? kFineShare : 1 - kFineShare) * time / asked_.duration;
-    if (is_oscillating() && share >= told + 0.01) tell(told = share);
+    if (is_oscillating() && share >= told + 0.001) tell(told = share);
     return !asked_to_stop();
   }
 
@@ -126,6 +126,7 @@ class MotionRun : public FamilyRun<MotionResult> {
       return goes_on(time, kFineShare, told);
     };
     const motion::Motion coarse = moved(design, task, nullptr);
+    if (one.motion.status != "ok" || coarse.status != "ok") return;  // nothing to compare
     one.step_error = step_error(one.motion.samples, coarse.samples);
     const auto measures = measured(asked_.measure, coarse.samples, coarse.events, last_on);
     for (std::size_t i = 0; i < measures.size(); ++i)
