@@ -21,7 +21,7 @@ METRICS = ["stall_torque", "max_torque", "holding_torque", "no_load_speed", "pla
 TERMINALS = ["amplitude", "phase_lag", "voltage", "phase_current", "power_factor", "electrical_power",
              "overall_efficiency", "dielectric_loss", "stator_loss"]
 OF_MODES = ["max_overall_efficiency", "speed_at_max_overall_efficiency", "pull_out_torque", "start_voltage", "hold_voltage",
-            "start_frequency", "pull_out_frequency", "loaded_resonance", "coupling_factor", "capacitance_ratio"]
+            "start_frequency", "pull_out_frequency", "loaded_resonance", "coupling_factor", "capacitance_ratio", "free_amplitude"]
 
 
 class Driven(program.Case):

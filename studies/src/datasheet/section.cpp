@@ -17,8 +17,9 @@ struct SectionPart {
   const char* name;
 };
 
-// Width of the drawing, room at its sides, and the least height of a part that is still seen.
-constexpr double kDrawing = 400, kSide = 8, kThinnest = 1.2;
+// Width of the drawing and its largest height, room at its sides, the least height of a part that is still seen, and that of one
+// with its name inside.
+constexpr double kDrawing = 400, kTallest = 150, kSide = 8, kThinnest = 1.2, kNamed = 11;
 
 SectionPart between(const MotorDesign& design, Parameter inner, Parameter outer, double low,
                     double high, const char* look, const char* name) {
@@ -37,7 +38,7 @@ std::vector<SectionPart> plate_parts(const MotorDesign& design) {
   if (web > 0) {
     const double middle = bottom + 0.5 * metal;
     parts.push_back(between(design, P::web_inner_radius, P::web_outer_radius, middle - 0.5 * web,
-                            middle + 0.5 * web, "faint", "web"));
+                            middle + 0.5 * web, "web", "web"));
   }
   parts.push_back(between(design, P::substrate_inner_radius, P::substrate_outer_radius, bottom,
                           -teeth, "metal", "metal"));
@@ -74,52 +75,58 @@ std::string key_of(const std::vector<SectionPart>& parts) {
   return "<p class=\"key\">" + key + "</p>\n";
 }
 
+// The text stands in the middle of the drawing, where it has room.
 std::string dimension(double left, double right, double y, const std::string& text) {
   const std::string a = place(left), b = place(right), h = place(y);
   return element("path",
                  {{"class", "measure"},
                   {"d", "M" + a + " " + place(y - 4) + "V" + place(y + 4) + "M" + b + " " +
                             place(y - 4) + "V" + place(y + 4) + "M" + a + " " + h + "H" + b}}) +
-         element(
-             "text",
-             {{"x", place(0.5 * (left + right))}, {"y", place(y + 15)}, {"text-anchor", "middle"}},
-             escaped(text));
+         element("text",
+                 {{"x", place(0.5 * kDrawing)}, {"y", place(y + 15)}, {"text-anchor", "middle"}},
+                 escaped(text));
 }
 
 }  // namespace
 
+// One side of the motor, from the innermost to the outermost radius, as large as fits.
 std::string section(const MotorDesign& design) {
   const std::vector<SectionPart> parts = section_parts(design);
-  double outer = 0, low = 0, high = 0;
+  double inner = parts[0].inner, outer = 0, low = 0, high = 0;
   for (const SectionPart& part : parts) {
-    outer = std::max(outer, part.outer);
-    low = std::min(low, part.low);
-    high = std::max(high, part.high);
+    inner = std::min(inner, part.inner), outer = std::max(outer, part.outer);
+    low = std::min(low, part.low), high = std::max(high, part.high);
   }
-  const double scale = (0.5 * kDrawing - kSide) / outer, depth = (high - low) * scale, top = 8;
-  const double middle = 0.5 * kDrawing, radius = design.stator.contact_radius * scale;
-  std::string drawing;
+  const double scale = std::min((kDrawing - 2 * kSide) / (outer - inner), kTallest / (high - low));
+  const double depth = (high - low) * scale, top = 8;
+  const double left = 0.5 * (kDrawing - (outer - inner) * scale);
+  const auto x = [&](double radius) { return left + (radius - inner) * scale; };
+  std::string drawing, names;
   for (const SectionPart& part : parts) {
-    const double width = (part.outer - part.inner) * scale;
-    const double height = std::max((part.high - part.low) * scale, kThinnest);
-    for (const double left : {middle + part.inner * scale, middle - part.outer * scale})
-      drawing += element("rect", {{"class", part.look},
-                                  {"x", place(left)},
-                                  {"y", place(top + (high - part.high) * scale)},
-                                  {"width", place(width)},
-                                  {"height", place(height)}});
+    const double y = top + (high - part.high) * scale, size = (part.high - part.low) * scale;
+    drawing += element("rect", {{"class", part.look},
+                                {"x", place(x(part.inner))},
+                                {"y", place(y)},
+                                {"width", place((part.outer - part.inner) * scale)},
+                                {"height", place(std::max(size, kThinnest))}});
+    if (size >= kNamed && design.stator.geometry)
+      names += element("text",
+                       {{"x", place(x(0.5 * (part.inner + part.outer)))},
+                        {"y", place(y + 0.5 * size + 4)},
+                        {"text-anchor", "middle"}},
+                       part.name);
   }
-  drawing += element(
-      "path", {{"class", "axis"}, {"d", "M" + place(middle) + " 0V" + place(top + depth + 8)}});
+  const Stator& s = design.stator;
+  const double half = 0.5 * s.contact_width;
   drawing +=
-      dimension(middle - radius, middle + radius, top + depth + 16,
-                "contact diameter " + printed_engineering(2 * design.stator.contact_radius, "m") +
-                    ", track " + printed_engineering(design.stator.contact_width, "m") + " wide");
+      names + dimension(x(s.contact_radius - half), x(s.contact_radius + half), top + depth + 16,
+                        "track " + printed_engineering(s.contact_width, "m") +
+                            " wide at a radius of " + printed_engineering(s.contact_radius, "m"));
   return element("svg",
                  {{"class", "section"},
                   {"viewBox", "0 0 " + place(kDrawing) + " " + place(top + depth + 38)},
                   {"role", "img"},
-                  {"aria-label", "Cross-section of the motor to scale"}},
+                  {"aria-label", "Cross-section of one side of the motor to scale"}},
                  drawing) +
          "\n" + key_of(parts);
 }

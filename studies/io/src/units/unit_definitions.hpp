@@ -95,6 +95,7 @@ inline constexpr NamedDimension kDimensions[] = {
     {"1/s", "rate of growth"},
     {"Pa", "pressure"},
     {"W", "power"},
+    {"V.A", "apparent power"},
     {"W/m^2", "power per area"},
     {"kg/m^3", "density"},
     {"N.s/m", "force per speed"},
