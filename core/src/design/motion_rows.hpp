@@ -44,7 +44,7 @@ inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
     {{P::axial_damping, "axial_damping", "", "N.s/m", "rotor.axial_damping", 0, 1e9, false, false,
       kNoAlternative, "300 N.s/m", "damping of the rotor's axial motion: flange, rubber, lining",
       "0 is a rotor that hops near no-load; the largest stops any axial motion", "0 N.s/m", false},
-     plain<&Rotor::axial_damping>().used_if(has<&Rotor::mass>).kept_if(is_damped)},
+     plain<&Rotor::axial_damping>().used_if(is_damped)},
 })};
 
 }  // namespace motion_rows
