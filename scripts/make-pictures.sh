@@ -15,6 +15,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$twum" curve "$ring" --plot "$pictures/curve.svg" >/dev/null
+"$twum" map "$root/examples/motors/drive-60.yaml" --set radial_slices=1 --speed "250 rpm" --duty "0.5 N.m, 100 rpm" \
+  --duty "0.2 N.m, 200 rpm" --plot "$pictures/map.svg" >/dev/null
 "$twum" fields "$ring" --set radial_slices=1 --speed "133 rpm" --plot "$pictures/fields.svg" >/dev/null
 for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4 tolerances; do
   "$twum" run "$root/examples/studies/$study.yaml" -o "$scratch/$study" >/dev/null
