@@ -57,7 +57,7 @@ std::size_t metrics_without_modes() {
   return static_cast<std::size_t>(
       std::count_if(metric_table().begin(), metric_table().end(), [](const MetricInfo& row) {
         return !row.needs_modes && !row.needs_geometry && !row.needs_thermal && !row.needs_wear &&
-               row.argument != Argument::both && !is_of_envelope(row.metric);
+               !row.needs_motion && row.argument != Argument::both && !is_of_envelope(row.metric);
       }));
 }
 

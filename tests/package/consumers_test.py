@@ -163,6 +163,7 @@ class Examples(Case):
         said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources if name != "sizing_service"}
         self.check_service(build / "sizing_service")
         self.assertRegex(said["curve"], "slip[+]")
+        self.assertRegex(said["motion"], ": ok\n(.|\n)*: held")
         self.assertRegex(said["optimize"], "nlopt:slsqp: optimal")
         self.assertNotIn("not certified", said["front"])
         self.check_fit(said["fit"])

@@ -44,11 +44,7 @@ std::array<stator::Derived, kPlateNumbers> plate_values(const MotorDesign& desig
                                                         const StatorModel& plate) {
   std::array<stator::Derived, kPlateNumbers> numbers{
       lever_of(design, plate),   plate.frequency,       plate.modal_mass,     plate.force_factor,
-      plate.blocked_capacitance, plate.mode_separation, plate.ceramic_stress,
-#ifndef __wasm__
-      plate.stator_mass
-#endif
-  };
+      plate.blocked_capacitance, plate.mode_separation, plate.ceramic_stress, plate.stator_mass};
   std::copy_n(plate.shape_values.begin(), kShapePoints.size(),
               numbers.begin() + index_of(N::shape));
   for (std::size_t i = 0; i < kPlateNumbers; ++i) numbers[i] = drifted(design, numbers[i], i);

@@ -27,9 +27,7 @@ enum class PlateNumber : unsigned char {
   blocked_capacitance,
   mode_separation,
   ceramic_stress,  ///< per amplitude
-#ifndef __wasm__
   stator_mass,
-#endif
   shape  ///< the first of those at kShapePoints
 };
 

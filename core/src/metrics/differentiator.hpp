@@ -77,13 +77,11 @@ class Differentiator {
   Derived of_plate(PlateNumber number) const {
     return {DesignDual::variable(values_.of_plate(number), plate_direction(number))};
   }
-#ifndef __wasm__
   Derived free_wave() {
     const double voltage = values_.voltage();
     const auto modes = moving_modes(values_.modes(), model_.stator_damping);
     return {free_amplitude(modes, widened(model_.omega), moving_drive(modes, voltage))};
   }
-#endif
   Derived product(const Derived& a, const Derived& b) const {
     return {a.dual * b.dual, worse(a.smoothness, b.smoothness)};
   }

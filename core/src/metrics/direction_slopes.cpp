@@ -46,10 +46,8 @@ std::vector<DirectionSlope> direction_slopes(const MotorDesign& design,
     add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
   constexpr PlateNumber kStress = PlateNumber::ceramic_stress;
   add(plate[index_of(kStress)], static_cast<std::size_t>(plate_direction(kStress)));
-#ifndef __wasm__
   constexpr PlateNumber kMass = PlateNumber::stator_mass;
   add(plate[index_of(kMass)], static_cast<std::size_t>(plate_direction(kMass)));
-#endif
   return list;
 }
 

@@ -54,7 +54,6 @@ class Evaluator {
   }
   /// @throws SearchFailure without a geometry
   double of_plate(PlateNumber number) const;
-#ifndef __wasm__
   /// Amplitude of the wave without rotor. @throws SearchFailure without a voltage
   double free_wave() const {
     const StatorModes<double>& m = modes();
@@ -66,7 +65,6 @@ class Evaluator {
     if (!motor_.design().stator.voltage) throw SearchFailure{MetricStatus::undefined};
     return *motor_.design().stator.voltage;
   }
-#endif
   double product(double a, double b) const { return a * b; }
   CurveSearch& search() { return search_; }
 

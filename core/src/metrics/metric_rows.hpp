@@ -124,12 +124,10 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::layer_aspect:
     case M::pressure_nonuniformity:
     case M::radial_motion_ratio: break;
-#ifndef __wasm__
     case M::stator_mass:
     case M::free_amplitude:
     case M::apparent_power_at:
     case M::matching_inductance_at: break;
-#endif
   }
   return S(0.0);
 }
@@ -139,14 +137,10 @@ constexpr bool needs_sensor(Metric metric) {
   return metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
 }
 
-#ifdef __wasm__
-constexpr bool is_of_terminals(Metric /*metric*/) { return false; }
-#else
 /// True for what a driver has to give besides power.
 constexpr bool is_of_terminals(Metric metric) {
   return metric == Metric::apparent_power_at || metric == Metric::matching_inductance_at;
 }
-#endif
 
 /// True for the point metrics that wave_metric() knows.
 constexpr bool is_wave_metric(Metric metric) {
@@ -195,7 +189,6 @@ WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes
   return p;
 }
 
-#ifndef __wasm__
 /// Apparent power of both phases (D4.6), or the inductance that takes the reactive current of the first one (D4.7).
 /// @throws SearchFailure if that current is not capacitive
 template <typename S>
@@ -216,7 +209,6 @@ template <typename S>
 S free_amplitude(const StatorModes<S>& modes, const S& omega, const S& force) {
   return force / wave_balance(modes, S(1.0), omega, S(0.0), S(0.0)).force();
 }
-#endif
 
 /// A point metric of the stator's modes; S is double or carries derivatives.
 template <typename S>
@@ -235,9 +227,7 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
     const SensorSignal<S> signal = sensor_signal(modes, w, p.amplitude, p.omega);
     return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
   }
-#ifndef __wasm__
   if (is_of_terminals(metric)) return terminal_metric(metric, modes, w, p);
-#endif
   const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
   if (metric == M::drive_voltage_at) return t.voltage;
   if (metric == M::electrical_power_at) return t.power;
@@ -307,12 +297,10 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::capacitance_ratio:
       return to.of_modes([](const auto& m) { return capacitance_ratio(m); });
     case M::mode_separation: return to.of_plate(PlateNumber::mode_separation);
-#ifndef __wasm__
     case M::stator_mass: return to.of_plate(PlateNumber::stator_mass);
     case M::free_amplitude: return to.free_wave();
     case M::apparent_power_at:
     case M::matching_inductance_at: break;
-#endif
     case M::ceramic_stress:
       return to.product(to.of_plate(PlateNumber::ceramic_stress),
                         to.at(M::amplitude_at, to.crossing(search.no_load(), to.fixed(0))));

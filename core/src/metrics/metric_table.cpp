@@ -226,7 +226,6 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::dynamic_start_voltage, "dynamic_start_voltage", "V", A::none,
      "smallest voltage whose step starts the motor from rest without load, rms", kModes, !kGeometry,
      !kThermal, !kAbsolute, !kOperation, !kWear, kMotion},
-#ifndef __wasm__
     {M::stator_mass, "stator_mass", "kg", A::none,
      "mass of the stator's metal, glue and ceramic, clamp excluded", !kModes, kGeometry},
     {M::free_amplitude, "free_amplitude", "m", A::none,
@@ -238,7 +237,6 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
      "inductance that, in parallel with a phase, takes its reactive current; undefined where this "
      "current is not capacitive",
      kModes},
-#endif
 }};
 
 // A page has the texts besides (metrics_json()), and its core does without them.

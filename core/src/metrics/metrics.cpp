@@ -48,10 +48,7 @@ namespace {
 bool needs_no_wave(Metric metric) {
   return metric == Metric::holding_torque || metric == Metric::coupling_factor ||
          metric == Metric::capacitance_ratio || metric == Metric::mode_separation ||
-#ifndef __wasm__
-         metric == Metric::stator_mass ||
-#endif
-         false;
+         metric == Metric::stator_mass || false;
 }
 
 // What provide_motion_metrics() was given.

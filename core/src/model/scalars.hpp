@@ -69,13 +69,8 @@ constexpr int drive_direction(Parameter parameter) {
 }
 
 /// What metrics take of the plate alone: consecutive numbers.
-#ifdef __wasm__
-inline constexpr std::array kPlateMetrics{PlateNumber::mode_separation,
-                                          PlateNumber::ceramic_stress};
-#else
 inline constexpr std::array kPlateMetrics{PlateNumber::mode_separation, PlateNumber::ceramic_stress,
                                           PlateNumber::stator_mass};
-#endif
 
 /// Direction of one of kPlateMetrics.
 constexpr int plate_direction(PlateNumber number) {

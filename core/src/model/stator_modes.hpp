@@ -183,7 +183,6 @@ PhaseCurrents<S> phase_currents(const StatorModes<S>& m, const WaveBalance<S>& w
   return {sqrt(one.squared()), sqrt(two.squared())};
 }
 
-#ifndef __wasm__
 /// Part of the first phase's current that leads its voltage by a quarter of a turn, peak (D4.1, D6.6) [A].
 template <typename S>
 S reactive_current(const StatorModes<S>& m, const WaveBalance<S>& w, const S& amplitude,
@@ -192,7 +191,6 @@ S reactive_current(const StatorModes<S>& m, const WaveBalance<S>& w, const S& am
   const Phasor<S> wave = (amplitude / w.force()) * (Phasor<S>{w.real, -w.imaginary} * lead);
   return omega * (m.capacitance * voltage + m.force_factor * (wave + backward.conjugate()).real);
 }
-#endif
 
 /// @param backward  z of (D6.5); powers do not depend on it to first order [m]
 template <typename S>

@@ -108,7 +108,6 @@ struct ModeNumbers {
   std::vector<S> shape_values;
 };
 
-#ifndef __wasm__
 /// Of all segments (P4.9) [kg].
 template <typename S>
 S mass_of(const StatorPlate<S>& plate) {
@@ -118,7 +117,6 @@ S mass_of(const StatorPlate<S>& plate) {
             segment.section.mass;
   return mass;
 }
-#endif
 
 template <typename S>
 ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const Numbers<S>& x,

@@ -43,9 +43,7 @@ StatorModel published(const ModeNumbers<S>& m) {
 
 template <typename S>
 StatorModel with_mass(StatorModel model, [[maybe_unused]] const StatorPlate<S>& plate) {
-#ifndef __wasm__
   model.stator_mass = published(mass_of(plate));
-#endif
   return model;
 }
 

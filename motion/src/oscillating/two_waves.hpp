@@ -35,7 +35,7 @@ struct WavesWork {
   double stick_margin{1e300};  ///< the smallest of PointsMeans [Pa]
 };
 
-/// Every vibration of both modes, of the rotor and of the points of its face (theory of motion, section 9). The whole ring repeats
+/// Every vibration of both modes, of the rotor and of the points of its face (theory of motion, section 10). The whole ring repeats
 /// one wavelength.
 class TwoWaves {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motor cut along its axis, to scale: one half, the axis at the left.
+// The motor cut along its axis, to scale: one side of the ring, the inner edge at the left.
 
 import {el, legend, svg} from '../dom.js';
 import {engineering} from '../units.js';
@@ -63,7 +63,7 @@ function sectionParts(motor) {
       outer: v.web_outer_radius,
       low: plate + 0.5 * (v.substrate_thickness - v.web_thickness),
       high: plate + 0.5 * (v.substrate_thickness + v.web_thickness),
-      colour: 'faint',
+      colour: 'c6',
       name: 'web'
     });
   return parts;
@@ -79,21 +79,20 @@ export class SectionView {
   show(motor) {
     const parts = sectionParts(motor);
     if (!parts.every((p) => [p.inner, p.outer, p.low, p.high].every(Number.isFinite))) return;
-    const outer = Math.max(...parts.map((p) => p.outer));
+    const [inner, outer] = [Math.min(...parts.map((p) => p.inner)), Math.max(...parts.map((p) => p.outer))];
     const [low, high] = [Math.min(...parts.map((p) => p.low)), Math.max(...parts.map((p) => p.high))];
-    // the picture is 106 units wide
-    const unit = outer / 100;
+    // the picture is 104 units wide
+    const unit = (outer - inner) / 100;
     const depth = (high - low) / unit;
-    this.picture.setAttribute('viewBox', '-2 -2 106 ' + (depth + 10));
+    this.picture.setAttribute('viewBox', `-2 -2 104 ${depth + 10}`);
     const box = (p) => svg('rect', {
-      x: p.inner / unit,
+      x: (p.inner - inner) / unit,
       y: (high - p.high) / unit,
       width: (p.outer - p.inner) / unit,
       height: Math.max((p.high - p.low) / unit, 0.25),
       class: 'fill-' + p.colour
     });
-    const axis = svg('line', {x1: 0, x2: 0, y1: -2, y2: depth + 2, class: 'axis'});
-    this.picture.replaceChildren(axis, ...parts.map(box), ...this.scale(unit, depth));
+    this.picture.replaceChildren(...parts.map(box), ...this.scale(unit, depth));
     const names = parts.map((p) => p.name).join();
     if (names === this.names) return;
     this.names = names;
@@ -104,8 +103,8 @@ export class SectionView {
   scale(unit, depth) {
     const size = 10 ** Math.floor(Math.log10(40 * unit));
     const length = [5, 2, 1].map((n) => n * size).find((l) => l <= 40 * unit);
-    const bar = svg('line', {x1: 2, x2: 2 + length / unit, y1: depth + 4, y2: depth + 4, class: 'bar'});
-    const text = svg('text', {x: 4 + length / unit, y: depth + 5.2, 'font-size': 3.4}, engineering(length, 'm'));
+    const bar = svg('line', {x1: 0, x2: length / unit, y1: depth + 4, y2: depth + 4, class: 'bar'});
+    const text = svg('text', {x: 1.5 + length / unit, y: depth + 5, 'font-size': 2.6}, engineering(length, 'm'));
     return [bar, text];
   }
 }

@@ -154,14 +154,8 @@ Json parameters_json(std::string_view text) {
 
 // Metrics that the core of a page does not compute, and which stand in a page only if it names them.
 bool left_out_of_pages(const MetricInfo& row) {
-  switch (row.metric) {
-    case Metric::radial_motion_ratio:
-    case Metric::stator_mass:
-    case Metric::free_amplitude:
-    case Metric::apparent_power_at:
-    case Metric::matching_inductance_at: return true;
-    default: return row.needs_thermal || row.needs_wear || row.needs_motion;
-  }
+  return row.needs_thermal || row.needs_wear || row.needs_motion ||
+         row.metric == Metric::radial_motion_ratio;
 }
 
 Json metrics_json(std::string_view text) {

@@ -19,7 +19,8 @@ using motion::MotionEvent;
 using motion::MotionEventKind;
 using motion::MotionSample;
 
-constexpr std::size_t kTold = 20;  // events in a table; a beating wave may have hundreds
+constexpr std::size_t kMarked = 10;  // events in a chart
+constexpr std::size_t kTold = 20;    // events in a table; a beating wave may have hundreds
 
 const char* event_words(MotionEventKind kind) {
   switch (kind) {
@@ -128,14 +129,15 @@ Chart course_chart(const MotionResult& answer, const Course& course) {
   return chart;
 }
 
-// Events on the line of the speed, of the motor alone; a rotor that drives the wave may do so at each beat.
+// Events on the line of the speed, of the motor alone; a rotor that drives the wave may do so at each beat. A loop that switches
+// the drive again and again has too many to be read: the table tells them.
 void mark_events(Chart& chart, const MotionResult& answer) {
   if (answer.family) return;
   const double seconds = time_unit(answer.duration).seconds;
-  for (const MotionEvent& event : answer.members.front().motion.events) {
-    if (event.kind == MotionEventKind::overruns || chart.marks.size() >= kTold) continue;
-    chart.marks.push_back({event.time / seconds, event.speed, {to_string(event.kind)}});
-  }
+  for (const MotionEvent& event : answer.members.front().motion.events)
+    if (event.kind != MotionEventKind::overruns)
+      chart.marks.push_back({event.time / seconds, event.speed, {to_string(event.kind)}});
+  if (chart.marks.size() > kMarked) chart.marks.clear();
 }
 
 // The error bar of the oscillating engine.

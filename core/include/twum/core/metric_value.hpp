@@ -102,13 +102,11 @@ enum class Metric : unsigned char {
   move_energy,
   burst_angle,
   dynamic_start_voltage,
-#ifndef __wasm__  // the core of a page, whose size is limited, does without these
   // of the stator and its driver
   stator_mass,
   free_amplitude,
   apparent_power_at,
   matching_inductance_at
-#endif
 };
 
 /// Argument that a metric takes.

@@ -16,12 +16,8 @@
 namespace twum {
 
 /// Rows of the metric table.
-#ifdef __wasm__
-inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::dynamic_start_voltage) + 1;
-#else
 inline constexpr std::size_t kMetricCount =
     static_cast<std::size_t>(Metric::matching_inductance_at) + 1;
-#endif
 
 /// One row of the metric table.
 struct MetricInfo {

@@ -42,9 +42,7 @@ struct StatorModel {
   Derived blocked_capacitance;  ///< C_0 of a phase, a lower bound (P4.5) [F]
   Derived coupling_factor;      ///< sqrt(C_m / (C_0 + C_m)) (P4.6) [1]
   Derived mode_separation;      ///< distance to the nearest unwanted mode (P4.7) [Hz]
-#ifndef __wasm__                // pages do without
   Derived stator_mass;          ///< of metal, glue and ceramic (P4.9) [kg]
-#endif
   Derived ceramic_stress;  ///< largest bending stress of the ceramic per amplitude (P4.8) [Pa/m]
   std::vector<Derived> shape_values;  ///< R at the contact radius and each offset from it [1]
 
