@@ -120,7 +120,7 @@ class Directory(Run):
                   "solver: {max_evaluations: %d}}\n")
         done = twum("run", self.write("long.yaml", search % (RING, 10**9)), "-o", self.folder / "long")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stderr, r"note: an evaluation of this motor takes about \S+ ms, so that the budget of 1000000000 evaluations "
+        self.assertRegex(done.stderr, r"note: an evaluation of this motor takes about \S+ [mun]s, so that the budget of 1000000000 evaluations "
                                       r"\(solver: max_evaluations\) lasts about \S+ (s|min|h) on one processor, or several times as long where other designs take longer\n")
         self.assertIn("local optimum\n", done.stdout.decode())
         # One evaluation would have to last a second.

@@ -159,7 +159,8 @@ class Examples(Case):
         self.ok(ARGUMENTS.cmake, "--build", build)
         sources = sorted(path.stem for path in (ROOT / "examples/cpp").glob("*.cpp"))
         self.assertGreater(len(sources), 6)
-        arguments = {"curve": [RING], "study": [ROOT / "examples/studies/optimize-ring-60.yaml"]}
+        arguments = {"curve": [RING], "motion": [ROOT / "examples/motors/moving-60.yaml"],
+                     "study": [ROOT / "examples/studies/optimize-ring-60.yaml"]}
         said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources if name != "sizing_service"}
         self.check_service(build / "sizing_service")
         self.assertRegex(said["curve"], "slip[+]")

@@ -172,8 +172,8 @@ void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor) {
       py::arg("steady") = false, py::arg("engine") = "averaged", py::arg("accuracy") = 1.0,
       py::arg("points") = 401, py::arg("stop") = py::none(), py::arg("progress") = py::none(),
       "move(self, duration, *, voltage=None, amplitude=None, frequency=None, load_torque=None, "
-      "switched_off=(),\n     reversed=(), phase_difference=None, steady=False, "
-      "engine='averaged', accuracy=1.0, points=401, stop=None,\n     progress=None)\n--\n\n"
+      "switched_off=(), reversed=(), phase_difference=None, steady=False, "
+      "engine='averaged', accuracy=1.0, points=401, stop=None, progress=None)\n--\n\n"
       "A motion in time, a Motion: from rest, or from the steady state under the first values. "
       "Voltage, amplitude,\nfrequency, load torque and phase difference are values, by default "
       "the motor's, or rows (time, value), linear\nbetween rows; two rows of one time are a "

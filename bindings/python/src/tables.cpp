@@ -21,7 +21,7 @@ const char* takes(Argument argument) {
     case Argument::torque: return "torque";
     case Argument::both: return "torque and speed";
     case Argument::angle: return "angle";
-    case Argument::periods: return "number of periods";
+    case Argument::periods: return "periods";
     case Argument::speed_or_torque: return "speed or torque";
     case Argument::either: return "speed or torque, not both";
     default: return "";

@@ -6,9 +6,11 @@ from typing import Any, Callable, Iterable, List, Mapping, Protocol, Sequence, T
 import numpy as np
 from numpy.typing import NDArray
 
-from .results import Curve, Derivatives, Fields, Optimum
+from .results import Curve, Derivatives, Fields, Motion, Optimum, Plant
 
 _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
+_Row = Tuple[_Quantity, _Quantity]
+_Profile = Union[_Quantity, Sequence[_Row]]
 _Numbers = Union[Sequence[float], List[str], Tuple[str, ...], NDArray[Any]]
 _Path = Union[str, os.PathLike[str]]
 _Duty = Tuple[_Quantity, _Quantity]
@@ -373,6 +375,25 @@ class Motor:
     def point(self, speed: _Quantity) -> OperatingPoint: ...
     def curve(self, speeds: _Quantity | Iterable[_Quantity] | None = None, *, points: int = 51) -> Curve: ...
     def fields(self, speed: _Quantity, samples: int = 400) -> Fields: ...
+    def move(
+        self,
+        duration: _Quantity,
+        *,
+        voltage: _Profile | None = None,
+        amplitude: _Profile | None = None,
+        frequency: _Profile | None = None,
+        load_torque: _Profile | None = None,
+        switched_off: Sequence[_Row] = (),
+        reversed: Sequence[_Row] = (),
+        phase_difference: _Profile | None = None,
+        steady: bool = False,
+        engine: str = "averaged",
+        accuracy: float = 1.0,
+        points: int = 401,
+        stop: _Stop | None = None,
+        progress: _Progress | None = None,
+    ) -> Motion: ...
+    def linearize(self, load_torque: _Quantity = 0.0) -> Plant: ...
     def _squeals(self, speeds: NDArray[np.float64]) -> list[bool | None]: ...
     # from the tables: begin
     @property
@@ -1093,9 +1114,9 @@ class Motor:
     @overload
     def move_energy(self, angle: _Numbers) -> NDArray[np.float64]: ...
     @overload
-    def burst_angle(self, number of periods: _Quantity) -> float: ...
+    def burst_angle(self, periods: _Quantity) -> float: ...
     @overload
-    def burst_angle(self, number of periods: _Numbers) -> NDArray[np.float64]: ...
+    def burst_angle(self, periods: _Numbers) -> NDArray[np.float64]: ...
     @overload
     def apparent_power_at(self, speed: _Quantity, *, torque: None = ...) -> float: ...
     @overload
