@@ -127,6 +127,13 @@ TEST_CASE("every metric of the table can be written and read", "[studies][metric
       CHECK_NOTHROW(parse_metric(name));
     } else if (row.argument == Argument::both) {
       CHECK_NOTHROW(parse_metric(name + "(1 N.m, 1 rad/s)"));
+    } else if (row.argument == Argument::angle) {
+      CHECK_NOTHROW(parse_metric(name + "(90 deg)"));
+      CHECK_THROWS_AS(parse_metric(name + "(0 rad)"), ValueError);
+      CHECK_THROWS_AS(parse_metric(name + "(1 N.m)"), ValueError);
+    } else if (row.argument == Argument::periods) {
+      CHECK_NOTHROW(parse_metric(name + "(32)"));
+      CHECK_THROWS_AS(parse_metric(name + "(0.5)"), ValueError);
     } else {
       if (row.argument != Argument::torque) CHECK_NOTHROW(parse_metric(name + "(1 rad/s)"));
       if (row.argument != Argument::speed) CHECK_NOTHROW(parse_metric(name + "(1 N.m)"));

@@ -96,6 +96,8 @@ inline constexpr NamedDimension kDimensions[] = {
     {"Pa", "pressure"},
     {"W", "power"},
     {"V.A", "apparent power"},
+    {"rad/s/Hz", "angular speed over frequency"},
+    {"rad/s/V", "angular speed over voltage"},
     {"W/m^2", "power per area"},
     {"kg/m^3", "density"},
     {"N.s/m", "force per speed"},

@@ -21,20 +21,20 @@ constexpr Expected kAngle{"rad", "90 deg"};
 constexpr Expected kPeriods{"1", "32"};
 
 // "torque_at(100 rpm)": how a point metric is written.
-// What a metric may be asked at; the last is the example.
+// What a metric may be asked at; the first is the example.
 std::vector<Expected> expected_of(Argument argument) {
   switch (argument) {
     case Argument::torque: return {kTorque};
     case Argument::angle: return {kAngle};
     case Argument::periods: return {kPeriods};
     case Argument::speed: return {kSpeed};
-    default: return {kTorque, kSpeed};
+    default: return {kSpeed, kTorque};
   }
 }
 
 std::string usage(const MetricInfo& metric) {
   if (metric.argument == Argument::both) return std::string(metric.name) + "(0.5 N.m, 100 rpm)";
-  return std::string(metric.name) + "(" + std::string(expected_of(metric.argument).back().example) + ")";
+  return std::string(metric.name) + "(" + std::string(expected_of(metric.argument).front().example) + ")";
 }
 
 const char* argument_phrase(Argument argument) {
