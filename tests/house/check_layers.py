@@ -32,6 +32,7 @@ FOLDER_OF_HEADER = {
     "twum/core/life.hpp": "metrics",
     "twum/core/load.hpp": "design",
     "twum/core/metric_request.hpp": "design",
+    "twum/core/motion_metrics.hpp": "metrics",
     "twum/optim/options.hpp": "problem",
     "twum/studies/telling.hpp": "telling",
     "twum/optim/estimate.hpp": "sampling",

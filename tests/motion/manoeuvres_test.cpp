@@ -40,7 +40,7 @@ MotorDesign full_motor() {
   return d;
 }
 
-TEST_CASE("a rotor hops where another program says so (M4.5)", "[motion][manoeuvres][reference]") {
+TEST_CASE("a rotor hops where another program says so (M4.5, C21.7)", "[motion][manoeuvres][reference]") {
   // motion.md's program and its direct integration, which bends by 2 to 8 %.
   struct Hop {
     double inertia, mass, averaged, direct;

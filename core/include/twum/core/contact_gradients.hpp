@@ -23,8 +23,9 @@ struct ContactGradients {
   Number torque{};          ///< T [N m]
   Number reactive_force{};  ///< Re F [N]
   Number active_force{};    ///< Im F [N]
-  /// Of the contact's normal force, in A at a rotor whose height stays, and in that height [N/m]; the layer is a bed of springs.
-  double normal_per_amplitude{0}, normal_per_height{0};
+  double normal_per_amplitude{
+      0};  ///< of the contact's normal force, in A at a rotor whose height stays [N/m]
+  double normal_per_height{0};  ///< of that force, in the height of the rotor [N/m]
   PointStatus status{
       PointStatus::ok};  ///< ok, or why there is no answer; the numbers are then zero
 };
