@@ -5,10 +5,16 @@
 
 #include <twum/motion/motion.hpp>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 namespace twum::motion {
+
+/// Takes a speed into the largest of a motion.
+inline void take_speed(Motion& motion, double speed) {
+  if (std::fabs(speed) > std::fabs(motion.fastest)) motion.fastest = speed;
+}
 
 /// A motor that is followed in time, stretch after stretch.
 class Engine {

@@ -2,6 +2,7 @@
 #include <twum/motion/linear_plant.hpp>
 
 #include "hopping.hpp"
+#include "slow_flow.hpp"
 #include "steady.hpp"
 
 #include <twum/base/error.hpp>
@@ -60,28 +61,20 @@ struct Dynamics {
   Eigen::MatrixXd a, b;
 };
 
-// R + i I is the force that sustains the wave (D2.3); an index is a derivative.
+ForceSlopes slopes_of(const ContactSlopes::Number& n) {
+  return {n.value, n.per_amplitude, n.per_speed};
+}
+
 Dynamics dynamics(const MotionModel& m, const At& at, const ContactSlopes& contact) {
   const double w = at.omega(), A = at.amplitude, J = m.inertia;
   const auto &T = contact.torque, &re = contact.reactive_force, &im = contact.active_force;
-  const double detuning = m.stiffness_of_wave - w * w * m.mass;
-  const double R = detuning * A + re.value, I = w * m.damping * A + im.value;
-  const double free = std::sqrt((m.stiffness_of_wave + re.value / A) / m.mass);
-  const double D = (w + free) * m.mass;
-  const double turn = 2 * std::numbers::pi;
+  const SlowFlow flow = slow_flow(m, A, w, slopes_of(re), slopes_of(im), slopes_of(T));
+  const double D = flow.divisor, turn = 2 * std::numbers::pi;
   const double R_f = -2 * w * m.mass * A * turn + re.per_frequency;
   const double I_f = m.damping * A * turn + im.per_frequency;
 
   Dynamics s{Eigen::MatrixXd::Zero(4, 4), Eigen::MatrixXd::Zero(4, 3)};
-  // (M7.1)
-  s.a(kA, kA) = -(w * m.damping + im.per_amplitude) / D;
-  s.a(kA, kPhi) = R / D;
-  s.a(kA, kOmega) = -im.per_speed / D;
-  s.a(kPhi, kA) = -(detuning + re.per_amplitude) / (D * A);
-  s.a(kPhi, kPhi) = -I / (D * A);
-  s.a(kPhi, kOmega) = -re.per_speed / (D * A);
-  s.a(kOmega, kA) = T.per_amplitude / J;
-  s.a(kOmega, kOmega) = (T.per_speed - m.load_damping) / J;
+  s.a.topLeftCorner<3, 3>() = flow.jacobian;
   s.a(kTheta, kOmega) = 1;
   // (M7.2)
   const double force = m.drive_force(1);

@@ -17,11 +17,6 @@ MotorDesign with_given_slices(MotorDesign design) {
   return design;
 }
 
-// True for what neither contact nor wave nor rotor takes.
-bool is_of_heat_or_wear(P parameter) {
-  return parameter >= P::conductivity && parameter <= P::lining_youngs_modulus;
-}
-
 ModelSlope slope(const MotorDesign& design, const ParameterJacobian& jacobian, P parameter) {
   const auto of = [&](P value) { return jacobian[index_of(value)][index_of(parameter)]; };
   const double size = std::fabs(get(design, parameter));
@@ -45,12 +40,16 @@ ModelSlope slope(const MotorDesign& design, const ParameterJacobian& jacobian, P
 
 }  // namespace
 
+bool counts_in_motion(P parameter) {
+  return parameter < P::conductivity || parameter > P::lining_youngs_modulus;
+}
+
 ModelSlopes::ModelSlopes(const MotorDesign& design, bool fixed_static_friction)
     : contact_(with_given_slices(design), fixed_static_friction) {
   const ParameterJacobian jacobian = parameter_jacobian(design, fixed_static_friction);
   for (std::size_t i = 0; i < kParameterCount; ++i) {
     const auto parameter = static_cast<P>(i);
-    if (in_use(design, parameter) && !is_of_heat_or_wear(parameter))
+    if (in_use(design, parameter) && counts_in_motion(parameter))
       columns_.push_back(slope(design, jacobian, parameter));
   }
 }

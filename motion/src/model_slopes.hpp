@@ -19,6 +19,9 @@ struct ModelSlope {
   double inertia, load_damping, load_friction, stiffness, neutral, off_resistance;
 };
 
+/// True for parameters that wave, contact, rotor or load take: not for those of heat and wear.
+bool counts_in_motion(Parameter parameter);
+
 /// How a motion under the drive of its design moves with the design: a column for each parameter that may count.
 class ModelSlopes {
  public:

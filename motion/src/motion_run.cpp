@@ -5,6 +5,7 @@
 
 #include "sample.hpp"
 #include "steady.hpp"
+#include "zero_in_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +179,12 @@ void MotionRun::take_samples() {
   }
 }
 
+void MotionRun::take_speeds(double begin) {
+  take_speed(motion_, y_[kSpeed]);
+  if (const auto time = time_of_peak(integrator_, begin))
+    take_speed(motion_, integrator_.at(*time)[kSpeed]);
+}
+
 bool MotionRun::follow(const Stretch& stretch) {
   // Times before the first step of the integrator.
   while (next_sample_ < task_.output_times.size() && task_.output_times[next_sample_] <= 0) {
@@ -190,6 +197,7 @@ bool MotionRun::follow(const Stretch& stretch) {
 bool MotionRun::integrate(const Stretch& stretch) {
   const auto stands = [&] { return asked_.until_held && stretch.off && equations_.mode().held; };
   if (stands()) return false;
+  take_speed(motion_, y_[kSpeed]);
   integrator_.restart(time_, y_, stretch.end, slopes_);
   while (true) {
     const double begin = time_;
@@ -203,6 +211,7 @@ bool MotionRun::integrate(const Stretch& stretch) {
     for (const MotionEvent& event : watch_.events(integrator_, begin))
       motion_.events.push_back(event);
     take_samples();
+    take_speeds(begin);
     if (asked_.reached && asked_.reached(integrator_, begin)) return false;
     if (end == StepEnd::stop_time) {
       read_slopes();

@@ -62,6 +62,7 @@ class MotionRun final : public Engine {
   void read_slopes();
   bool end_early(const std::string& status);
   void take_samples();
+  void take_speeds(double begin);
   /// Mode of a rotor at rest; the load decides (M4.1).
   Mode mode_at_rest();
   void note(MotionEventKind kind);

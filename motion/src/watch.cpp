@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "watch.hpp"
 
+#include "zero_in_step.hpp"
+
 #include <algorithm>
 
 namespace twum::motion {
-namespace {
-
-// Where a function of time falls through zero between two times; bisection, to 1e-6 of their distance.
-template <typename Function>
-double falls_through_zero(double from, double to, Function distance) {
-  for (int i = 0; i < 20; ++i) {
-    const double middle = 0.5 * (from + to);
-    (distance(middle) > 0 ? from : to) = middle;
-  }
-  return to;
-}
-
-}  // namespace
 
 double Watch::pull_out_amplitude() const {
   const double started = kStarted * equations_->model().full_contact_amplitude;

@@ -40,7 +40,8 @@ MotorDesign full_motor() {
   return d;
 }
 
-TEST_CASE("a rotor hops where another program says so (M4.5, C21.7)", "[motion][manoeuvres][reference]") {
+TEST_CASE("a rotor hops where another program says so (M4.5, C21.7)",
+          "[motion][manoeuvres][reference]") {
   // motion.md's program and its direct integration, which bends by 2 to 8 %.
   struct Hop {
     double inertia, mass, averaged, direct;
@@ -135,7 +136,12 @@ TEST_CASE("times and angles are those of whole motions", "[motion][manoeuvres]")
   const double steady = value(light, under(M::speed_at, 0));
   CHECK(value(light, under(M::start_overshoot_at, 0)) ==
         Approx(fastest / steady - 1).epsilon(1e-4));
+  // Between samples, too: a motion without any knows the peak.
+  quick.output_times.clear();
+  CHECK(simulate(light, quick).fastest == Approx(fastest).epsilon(1e-7));
   CHECK(value(elastic_60(1e-2), under(M::start_overshoot_at, 0)) == 0);
+  CHECK(differentiate(Motor(elastic_60(1e-2)), under(M::start_overshoot_at, 0)).smoothness ==
+        Smoothness::flat);
 }
 
 TEST_CASE("a longer move costs the power of the steady run", "[motion][manoeuvres]") {
@@ -172,6 +178,12 @@ TEST_CASE("a motor without a manoeuvre says why", "[motion][manoeuvres]") {
   CHECK(status(d, under(M::bounce_rate_at, 0)) == "undefined");
   CHECK(status(d, {M::move_energy, Argument::angle, 0}) == "undefined");
   CHECK(status(d, {M::burst_angle, Argument::periods, 0.5}) == "undefined");
+  // Less than the holding torque is enough if the rotor keeps the wave going that takes friction away.
+  CHECK(status(d, under(M::stop_time_at, -0.5)) == "does-not-stop");
+  MotorDesign free = d;
+  free.preload = 0;
+  for (const Metric metric : {M::start_time_at, M::stop_time_at, M::settling_rate_at})
+    CHECK(status(free, under(metric, 0)) == "undefined");
   MotorDesign still = d;
   still.rotor.inertia.reset();
   for (const MetricInfo& row : metric_table())

@@ -5,7 +5,6 @@
 
 #include <twum/io/words.hpp>
 
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,23 +53,31 @@ std::string first_words(const std::string& text) {
   return studies::printable(line, 200);
 }
 
-ChildEnd run_program(std::vector<std::string> words, std::FILE* in, std::FILE* out,
-                     std::FILE* errors) {
+FileActions::FileActions() { posix_spawn_file_actions_init(&actions_); }
+FileActions::~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+
+std::optional<pid_t> started_program(std::vector<std::string> words, const FileActions& files) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
+  pid_t child = 0;
+  const int error =
+      posix_spawnp(&child, arguments[0], files.get(), nullptr, arguments.data(), environ);
+  if (error == ENOENT) return std::nullopt;
+  if (error != 0) throw OutputError(words.front() + " cannot be run: " + std::strerror(error));
+  return child;
+}
+
+ChildEnd run_program(const std::vector<std::string>& words, std::FILE* in, std::FILE* out,
+                     std::FILE* errors) {
+  FileActions files;
   const std::array streams{in, out, errors};
   for (int i = 0; i < 3; ++i) {
-    if (streams[i] != nullptr) posix_spawn_file_actions_adddup2(&files, fileno(streams[i]), i);
+    if (streams[i] != nullptr) posix_spawn_file_actions_adddup2(files.get(), fileno(streams[i]), i);
   }
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (error == ENOENT) return {false, 0};
-  if (error != 0) throw OutputError(words.front() + " cannot be run: " + std::strerror(error));
-  return {true, wait_for(child, words.front())};
+  const std::optional<pid_t> child = started_program(words, files);
+  if (!child) return {false, 0};
+  return {true, wait_for(*child, words.front())};
 }
 
 }  // namespace twum::cli

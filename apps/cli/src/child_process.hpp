@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <spawn.h>
+#include <sys/types.h>
+
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +34,29 @@ struct ChildEnd {
   int status;  ///< 0 if all went well
 };
 
-/// Runs a program to its end, without a shell in between.
+/// What becomes of a program's files and folder as it starts.
+class FileActions {
+ public:
+  FileActions();
+  ~FileActions();
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  posix_spawn_file_actions_t* get() { return &actions_; }
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+/// Starts a program, without a shell in between.
 /// @param words  its name, and its arguments
-/// @param in, out, errors  its standard streams; may be null for those of this program
+/// @return nothing if no program of that name is on the PATH
 /// @throws OutputError if it is there but cannot be run
-ChildEnd run_program(std::vector<std::string> words, std::FILE* in, std::FILE* out,
+std::optional<pid_t> started_program(std::vector<std::string> words, const FileActions& files);
+
+/// Runs a program to its end, likewise.
+/// @param in, out, errors  its standard streams; may be null for those of this program
+ChildEnd run_program(const std::vector<std::string>& words, std::FILE* in, std::FILE* out,
                      std::FILE* errors);
 
 }  // namespace twum::cli

@@ -1,40 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "running_program.hpp"
 
-#include "output.hpp"
+#include "child_process.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <utility>
 
 namespace twum::cli {
 
-std::optional<RunningProgram> RunningProgram::start(std::vector<std::string> words,
+std::optional<RunningProgram> RunningProgram::start(const std::vector<std::string>& words,
                                                     const std::string& folder,
                                                     const std::string& log) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+  FileActions files;
+  posix_spawn_file_actions_addchdir_np(files.get(), folder.c_str());
+  posix_spawn_file_actions_addopen(files.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(files.get(), STDOUT_FILENO, log.c_str(),
                                    O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int error =
-      posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) return std::nullopt;
-  if (error != 0) throw OutputError(words.front() + " cannot be run: " + std::strerror(error));
-  return RunningProgram(child);
+  posix_spawn_file_actions_adddup2(files.get(), STDOUT_FILENO, STDERR_FILENO);
+  const std::optional<pid_t> child = started_program(words, files);
+  if (!child) return std::nullopt;
+  return RunningProgram(*child);
 }
 
 RunningProgram::RunningProgram(RunningProgram&& other) noexcept

@@ -16,7 +16,7 @@ class RunningProgram {
   /// @param words  its name, and its arguments
   /// @return nothing if no program of that name is on the PATH
   /// @throws OutputError if it is there but cannot be run
-  static std::optional<RunningProgram> start(std::vector<std::string> words,
+  static std::optional<RunningProgram> start(const std::vector<std::string>& words,
                                              const std::string& folder, const std::string& log);
 
   RunningProgram(RunningProgram&& other) noexcept;

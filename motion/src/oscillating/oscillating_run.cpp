@@ -99,6 +99,7 @@ void OscillatingRun::begin(const Stretch& first) {
   waves_.set_state(state);
   waves_.take_work();
   later_ = first_sample(speed, zeta);
+  take_speed(motion_, speed);
   open_period();
 }
 
@@ -196,6 +197,7 @@ void OscillatingRun::close_period() {
   add_phasors(sample, period_.displacement(), period_.voltage());
   energy_ += work.drive;
   earlier_ = later_, later_ = sample;
+  take_speed(motion_, sample.speed);
   for (const MotionEvent& event : watch_.events(earlier_, later_)) motion_.events.push_back(event);
   take_samples();
 }

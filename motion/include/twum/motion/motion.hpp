@@ -95,8 +95,8 @@ enum class MotionEventKind : unsigned char {
   switched_off,  ///< the drive
   switched_on,   ///< likewise
   swapped,       ///< the phases, so that the wave changed its direction
-  squeals,       ///< a backward wave, which an averaged motion leaves out, has grown 150-fold (add_what_is_left_out())
-  bounces        ///< likewise hops of the rotor
+  squeals,  ///< a backward wave, which an averaged motion leaves out, has grown 150-fold (add_what_is_left_out())
+  bounces   ///< likewise hops of the rotor
 };
 
 /// Short machine-readable word, such as "pulled-out". Static lifetime.
@@ -116,6 +116,8 @@ struct Motion {
   std::vector<MotionSample> samples;  ///< at the output times up to `end`
   std::vector<MotionEvent> events;    ///< in the order of time
   MotionSample last;                  ///< at `end`
+  /// Omega of the largest size, between samples, too; with the oscillating engine that of a period [rad/s].
+  double fastest{0};
   /// "ok"; a word of PointStatus where the contact has no answer; "swap-too-early" where phases were swapped at an amplitude of
   /// 2 A_1 or more; "integrator-failed"; "stopped" by go_on
   std::string status{"ok"};

@@ -69,10 +69,12 @@ std::span<const Reason> reasons() {
        "nothing slips in the contact under this load, so that nothing wears and the life has no "
        "end"},
       {MetricStatus::does_not_start,
-       "from rest the rotor does not reach 90 % of its steady speed; raise the voltage, or start at "
+       "from rest the rotor does not reach 90 % of its steady speed; raise the voltage, or start "
+       "at "
        "a higher frequency"},
       {MetricStatus::does_not_stop,
-       "with the drive off, the load turns the rotor on; friction holds less than it"}};
+       "with the drive off the load keeps the rotor turning, and the rotor the wave, so that "
+       "friction never holds it"}};
   return kReasons;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace twum::studies {
 namespace {
@@ -52,20 +53,29 @@ double settling_time(Samples samples, const MotionColumn& column, double share) 
   return samples.front().time;
 }
 
-double largest(Samples samples, const MotionColumn& column) {
+// Between two samples only the speed's is known.
+double largest(const motion::Motion& motion, const MotionColumn& column) {
+  if (std::string_view(column.name) == "speed") return motion.fastest;
   double found = 0;
-  for (const Sample& s : samples)
+  for (const Sample& s : motion.samples)
     if (std::abs(column.of(s)) > std::abs(found)) found = column.of(s);
   return found;
+}
+
+// Of what is settled; 0 where it is less than the error of a motion.
+double overshoot(double largest, double settled) {
+  constexpr double kMotionError = 1e-6;  // docs/theory/motion.md, section 8
+  const double ratio = largest / settled - 1;
+  return std::abs(ratio) < kMotionError ? 0 : ratio;
 }
 
 double difference(const Sample* begin, const Sample* end, const MotionColumn& column) {
   return begin != nullptr && end != nullptr ? column.of(*end) - column.of(*begin) : kNoValue;
 }
 
-double number_of(const MotionMeasure& asked, Samples samples,
-                 std::span<const motion::MotionEvent> events, double last_on) {
+double number_of(const MotionMeasure& asked, const motion::Motion& motion, double last_on) {
   using Kind = MotionMeasure::Kind;
+  const Samples samples = motion.samples;
   if (samples.empty()) return kNoValue;
   const MotionColumn* column = find_motion_column(asked.column);
   const Sample* settled = last_until(samples, last_on);
@@ -77,18 +87,18 @@ double number_of(const MotionMeasure& asked, Samples samples,
     case Kind::settling_time:
       return settling_time(samples.first(static_cast<std::size_t>(settled - samples.data()) + 1),
                            *column, *asked.share);
-    case Kind::overshoot: return largest(samples, *column) / column->of(*settled) - 1;
-    case Kind::peak: return largest(samples, *column);
+    case Kind::overshoot: return overshoot(largest(motion, *column), column->of(*settled));
+    case Kind::peak: return largest(motion, *column);
     case Kind::angle_after:
       return difference(sample_at(samples, asked.at), last, *find_motion_column("angle"));
     case Kind::energy:
       return difference(sample_at(samples, asked.at), sample_at(samples, asked.to),
                         *find_motion_column("energy"));
     case Kind::time_of: {
-      const auto event = std::ranges::find_if(events, [&](const motion::MotionEvent& one) {
+      const auto event = std::ranges::find_if(motion.events, [&](const motion::MotionEvent& one) {
         return asked.column == to_string(one.kind);
       });
-      return event == events.end() ? kNoValue : event->time;
+      return event == motion.events.end() ? kNoValue : event->time;
     }
   }
   return kNoValue;
@@ -130,12 +140,10 @@ MotionResult::StepError step_error(Samples fine, Samples coarse) {
 }
 
 std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
-                                            Samples samples,
-                                            std::span<const motion::MotionEvent> events,
-                                            double last_on) {
+                                            const motion::Motion& motion, double last_on) {
   std::vector<MotionResult::Measure> found;
   for (const MotionMeasure& one : asked)
-    found.push_back({one.text, unit_of(one), number_of(one, samples, events, last_on)});
+    found.push_back({one.text, unit_of(one), number_of(one, motion, last_on)});
   return found;
 }
 

@@ -19,9 +19,7 @@ std::vector<double> times_of(const MotionMeasure& measure);
 /// The numbers of a motion whose samples include times_of() of each measure.
 /// @param last_on  when the drive is switched off first, or the end [s]
 std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
-                                            std::span<const motion::MotionSample> samples,
-                                            std::span<const motion::MotionEvent> events,
-                                            double last_on);
+                                            const motion::Motion& motion, double last_on);
 
 /// Largest differences between two motions of the same times, as far as both have samples.
 MotionResult::StepError step_error(std::span<const motion::MotionSample> fine,

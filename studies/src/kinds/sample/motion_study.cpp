@@ -83,7 +83,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     const std::vector<motion::Interval>& off = task.switched_off;
     const double last_on = off.empty() ? asked_.duration : off.front().begin;
     if (!off.empty()) one.off_at = off.back().begin;
-    one.measures = measured(asked_.measure, one.motion.samples, one.motion.events, last_on);
+    one.measures = measured(asked_.measure, one.motion, last_on);
     one.opening_amplitude = motion::opening_amplitude(motor.design);
     if (is_oscillating()) add_step_errors(one, motor.design, task, last_on);
     return one;
@@ -128,7 +128,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     const motion::Motion coarse = moved(design, task, nullptr);
     if (one.motion.status != "ok" || coarse.status != "ok") return;  // nothing to compare
     one.step_error = step_error(one.motion.samples, coarse.samples);
-    const auto measures = measured(asked_.measure, coarse.samples, coarse.events, last_on);
+    const auto measures = measured(asked_.measure, coarse, last_on);
     for (std::size_t i = 0; i < measures.size(); ++i)
       one.measures[i].step_error = std::abs(one.measures[i].value - measures[i].value);
   }
