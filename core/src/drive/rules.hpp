@@ -74,6 +74,9 @@ struct ContinuationRules {
   double root = 1e-13;
   /// What rounding leaves of ln H; beside a fold it is all that can be asked.
   double rounding = 4e-15;
+  /// The same of a layer that is a million times as stiff in shear as across, where stresses are differences of large numbers. More of
+  /// it on both sides of an amplitude is a jump of H.
+  double noise = 1e-9;
   /// Accuracy of the layer's states where H has an extremum: it is off by as much, and H by the square.
   double slope_states = 1e-10;
   /// Last secant towards a fold: its cube is below the rounding of H.

@@ -377,7 +377,10 @@ std::optional<CurveNode> WaveCurve::root(PlanePoint p, WarmStart start, const So
     if (std::fabs(next - p.x) <= kRules.root) return plane_.node(std::move(v), p, {next - p.x, 0});
     ((v.excess < 0) == rises ? low : high) = p.x;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (high - low <= kRules.root) return {};
+    if (high - low <= kRules.root)
+      return std::fabs(v.excess) <= kRules.noise
+                 ? std::optional(plane_.node(std::move(v), p, {0, 0}))
+                 : std::nullopt;
     start = moved(v.start(), v.wave.states, std::exp(next) - std::exp(p.x));
     p.x = next;
   }
