@@ -197,16 +197,11 @@ class Examples(Case):
 
 
 class AddSubdirectory(Case):
-    def test_core_is_built_along(self):
-        program = self.consumer("-DPART=core", f"-DTWUM_TREE={ROOT}", "-DTWUM_UNITY=ON", "-DCMAKE_BUILD_TYPE=Debug",
-                                "-DCMAKE_CXX_FLAGS_DEBUG=-O0")  # quickly made
-        self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
-        self.assertFalse((self.folder / "build/twum/tests").exists())
-
     def test_core_is_built_along_as_shared_libraries_with_other_flags(self):
         program = self.consumer("-DPART=core", f"-DTWUM_TREE={ROOT}", "-DTWUM_UNITY=ON", "-DBUILD_SHARED_LIBS=ON",
                                 "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -fno-inline -D_GLIBCXX_ASSERTIONS")
         self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
+        self.assertFalse((self.folder / "build/twum/tests").exists())
 
 
 def setUpModule():

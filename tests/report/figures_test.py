@@ -12,7 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from page import ROOT, RPM, Page, main, twum  # noqa: E402
 
 PREFIXES = {"T": 1e12, "G": 1e9, "M": 1e6, "k": 1e3, "": 1, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
-WIDTHS = tuple((width, dark) for width in (1400, 400, 360) for dark in (False, True))
+# Colours do not move what stands on a page: dark once for the widest and once for a phone.
+WIDTHS = ((1400, False), (1400, True), (400, True), (360, False))
 PAPER = 794  # A4 at 96 px an inch
 
 # Words of up to 20 letters that stand on two lines.

@@ -15,6 +15,9 @@ using namespace twum::test;
 
 namespace {
 
+// As many as find an interval that is half as wide as it should be; a thousand, in the slow tests, find a tenth.
+constexpr int kFewTrials = 16, kManyTrials = 1000;
+
 // How often the intervals of repeated noisy measurements of one bench hold the truth.
 void check_coverage(const Named& named, const std::string& scatter, int trials) {
   const Bench& bench = named.bench;
@@ -33,7 +36,7 @@ void check_coverage(const Named& named, const std::string& scatter, int trials) 
   }
   for (std::size_t j = 0; j < covered.size(); ++j) {
     CAPTURE(named.name, scatter, bench.truth[j].first, covered[j].share());
-    if (trials >= 1000)
+    if (trials >= kManyTrials)
       WARN(named.name << ", scatter " << scatter << ", " << info(bench.truth[j].first).name << ": "
                       << 100 * covered[j].share() << " %");
     CHECK(covered[j].hits >= covered[j].fewest(0.95));
@@ -60,21 +63,21 @@ std::span<const Named> of_many_numbers() {
 
 TEST_CASE("intervals of data of every kind cover the truth as often as they say",
           "[studies][calibrate][statistics]") {
-  check_coverage(of_many_numbers(), 40);
+  check_coverage(of_many_numbers(), kFewTrials);
 }
 
 TEST_CASE("intervals of data of every kind cover the truth as often as they say - many times",
           "[studies][calibrate][statistics][.long]") {
-  check_coverage(of_many_numbers(), 1000);
+  check_coverage(of_many_numbers(), kManyTrials);
 }
 
 TEST_CASE(
     "intervals of short columns and of single kinds of data cover the truth as often as they say",
     "[studies][calibrate][statistics]") {
-  check_coverage(of_few_numbers(), 40);
+  check_coverage(of_few_numbers(), kFewTrials);
 }
 
 TEST_CASE("intervals of short columns and of single kinds of data cover the truth - many times",
           "[studies][calibrate][statistics][.long]") {
-  check_coverage(of_few_numbers(), 1000);
+  check_coverage(of_few_numbers(), kManyTrials);
 }
