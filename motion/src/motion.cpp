@@ -72,4 +72,12 @@ Motion simulate(const MotorDesign& design, const MotionTask& task) {
   return followed(*engine_of(design, task), task, stretches);
 }
 
+const char* to_string(MotionEngine value) noexcept {
+  switch (value) {
+    case MotionEngine::averaged: return "averaged";
+    case MotionEngine::oscillating: return "oscillating";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::motion

@@ -250,7 +250,7 @@ TEST_CASE("intervals are measured against the ranges that were searched",
               "The points hardly determine kinetic_friction: its interval is wider than "
               "its range."));
   CHECK_THAT(sections_text(result), Contains("wider than its range\n"));
-  result.estimates[1].log = true;
+  result.estimates[1].scale = optim::Scale::log;
   result.estimates[1].low = 0.7e-6;  // a ratio of 4.3; its range has one of 4
   result.estimates[1].high = 3e-6;
   CHECK(noted(result,
@@ -277,7 +277,7 @@ TEST_CASE("an interval is of use if its ends are near each other, beside the val
   CHECK_FALSE(of_use(0.2, std::numeric_limits<double>::infinity(), 0, 1));
   CHECK_FALSE(of_use(kNaN, kNaN, 0, 1));
   CalibrateResult::Estimate e = estimate("x", "1", 2, 1, 4);
-  e.log = true;
+  e.scale = optim::Scale::log;
   e.min = 1e-4;
   e.max = 1e4;  // 8 decades: a factor of 4 is less than a tenth of them
   CHECK(CalibrateResult::of_use(e));

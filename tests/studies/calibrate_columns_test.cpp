@@ -42,7 +42,7 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
   DesignVariable thickness{Parameter::thickness};
   thickness.min = 1e-4;
   thickness.max = 2e-3;
-  thickness.log = true;
+  thickness.scale = optim::Scale::log;
   asked.variables.push_back(thickness);
   const Run five(sheet);
   CHECK(five.answer.outcome == "undetermined");

@@ -64,8 +64,10 @@ TEST_CASE("ten planned first measurements shrink the ranges as much as the plan 
   for (std::size_t j = 0; j < 3; ++j) {
     const auto& range = result.estimates[j];
     const auto& estimate = fit.result().estimates[j];
-    const double width = range.log ? std::log(range.max / range.min) : range.max - range.min;
-    const double deviation = estimate.deviation / (range.log ? estimate.parameter.value : 1);
+    const double width =
+        range.scale == optim::Scale::log ? std::log(range.max / range.min) : range.max - range.min;
+    const double deviation =
+        estimate.deviation / (range.scale == optim::Scale::log ? estimate.parameter.value : 1);
     // A number that may be anywhere in its range has the deviation width / sqrt(12). The plan knows the ranges besides:
     // below 2e-2 of the variance with these ten.
     CHECK(result.plan.back().widths[j] ==

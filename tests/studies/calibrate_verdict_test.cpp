@@ -230,7 +230,7 @@ TEST_CASE("rounding errors of the readings do not change a verdict", "[studies][
   DesignVariable thickness{Parameter::thickness};
   thickness.min = 1e-4;
   thickness.max = 2e-3;
-  thickness.log = true;
+  thickness.scale = optim::Scale::log;
   for (const char* name : {"calibrate", "calibrate-data-sheet", "calibrate-data-sheet with h"}) {
     StudyFile file =
         read_study_file(folder + std::string(name).substr(0, std::string(name).find(' ')) + ".yaml",

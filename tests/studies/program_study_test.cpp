@@ -202,9 +202,9 @@ TEST_CASE("variables are given with a scale and a start, or as texts", "[studies
   numbers.vary(Parameter::thickness, 1e-4, 1e-3, optim::Scale::log, 2e-4)
       .vary(Parameter::preload, 60, 300);
   REQUIRE(numbers.variables.size() == 2);
-  CHECK(numbers.variables[0].log);
+  CHECK(numbers.variables[0].scale == optim::Scale::log);
   CHECK(numbers.variables[0].start == 2e-4);
-  CHECK(!numbers.variables[1].log);
+  CHECK(numbers.variables[1].scale == optim::Scale::linear);
   CHECK(std::isnan(numbers.variables[1].start));
   DesignProblem texts{MotorDesign{}};
   texts.vary("thickness", "0.1 mm", "1 mm", optim::Scale::log).vary("F_N", "60 N", "300 N");
@@ -212,7 +212,7 @@ TEST_CASE("variables are given with a scale and a start, or as texts", "[studies
     CHECK(texts.variables[i].parameter == numbers.variables[i].parameter);
     CHECK(texts.variables[i].min == Approx(numbers.variables[i].min).epsilon(1e-15));
     CHECK(texts.variables[i].max == Approx(numbers.variables[i].max).epsilon(1e-15));
-    CHECK(texts.variables[i].log == numbers.variables[i].log);
+    CHECK(texts.variables[i].scale == numbers.variables[i].scale);
   }
   CHECK_THROWS_AS(texts.vary("preload", "60 mm", "300 N"), InputError);
   // What once was a truth value: neither a word nor a number is a scale.

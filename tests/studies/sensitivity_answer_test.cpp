@@ -18,7 +18,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-SensitivityResult frame(const std::string& method) {
+SensitivityResult frame(SensitivityMethod method) {
   SensitivityResult result;
   result.method = method;
   result.samples = 1024;
@@ -33,20 +33,20 @@ SensitivityResult frame(const std::string& method) {
 }
 
 SensitivityResult sobol(MetricSensitivity::Sobol shares) {
-  SensitivityResult result = frame("sobol");
+  SensitivityResult result = frame(SensitivityMethod::sobol);
   result.metrics[0].effects = std::move(shares);
   return result;
 }
 
 SensitivityResult morris(MetricSensitivity::Morris effects) {
-  SensitivityResult result = frame("morris");
+  SensitivityResult result = frame(SensitivityMethod::morris);
   result.samples = 20;
   result.metrics[0].effects = std::move(effects);
   return result;
 }
 
 SensitivityResult local(MetricSensitivity::Local effects) {
-  SensitivityResult result = frame("local");
+  SensitivityResult result = frame(SensitivityMethod::local);
   result.motor = {1.6e-6, 160, 0.2};
   result.metrics[0].sd = kNaN;
   result.metrics[0].effects = std::move(effects);

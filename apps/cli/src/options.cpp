@@ -46,7 +46,7 @@ void add_branch_option(CLI::App& command, MotorOptions& options) {
           "--branch", options.branch,
           "Which stable wave of a motor under a voltage: the large one of a running motor, or "
           "the small one that does not turn the rotor")
-      ->check(one_of({"running", "dead"}))
+      ->check(one_of({to_string(Branch::running), to_string(Branch::dead)}))
       ->type_name("running|dead");
 }
 

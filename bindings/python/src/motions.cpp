@@ -44,8 +44,8 @@ std::vector<Interval> to_intervals(const std::string& name, const py::object& va
 }
 
 MotionEngine to_engine(const std::string& word) {
-  if (word == "averaged") return MotionEngine::averaged;
-  if (word == "oscillating") return MotionEngine::oscillating;
+  for (const MotionEngine engine : {MotionEngine::averaged, MotionEngine::oscillating})
+    if (word == motion::to_string(engine)) return engine;
   throw InputError("engine: expected 'averaged' or 'oscillating', but is '" + word + "'");
 }
 

@@ -34,7 +34,7 @@ PyProblem& vary(PyProblem& self, const std::string& name, const py::object& min,
   variable.parameter = parameter;
   variable.min = to_parameter_value(parameter, min);
   variable.max = to_parameter_value(parameter, max);
-  variable.log = scale == "log";
+  if (scale == kScales[1]) variable.scale = optim::Scale::log;
   if (!start.is_none()) variable.start = to_parameter_value(parameter, start);
   self.problem.variables.push_back(variable);
   return self;

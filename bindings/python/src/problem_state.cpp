@@ -26,32 +26,33 @@ py::dict set_values(const studies::ParameterSet& set) {
 
 py::dict problem_state(const PyProblem& self) {
   const DesignProblem& problem = self.problem;
-  return py::dict(
-      "motor"_a = studies::motor_text({self.name, problem.motor}),
-      "variables"_a = list_of(problem.variables,
-                              [](const studies::DesignVariable& one) {
-                                return py::make_tuple(to_py(info(one.parameter).name), one.min,
-                                                      one.max, one.log, one.start);
-                              }),
-      "derived"_a = list_of(problem.derived,
-                            [](const studies::DerivedParameter& one) {
-                              return py::make_tuple(to_py(info(one.parameter).name),
-                                                    one.value.text);
-                            }),
-      "choices"_a = list_of(problem.choices,
-                            [](const studies::DesignChoice& choice) {
-                              return py::make_tuple(
-                                  choice.name,
-                                  list_of(choice.sets, [](const studies::ParameterSet& set) {
-                                    return py::make_tuple(set.name, set.file, set_values(set));
-                                  }));
-                            }),
-      "objectives"_a = list_of(problem.objectives,
-                               [](const studies::DesignObjective& one) {
-                                 return py::make_tuple(one.metric.text, one.maximize);
-                               }),
-      "limits"_a = list_of(problem.limits,
-                           [](const studies::MotorLimit& one) { return py::str(one.text); }));
+  return py::dict("motor"_a = studies::motor_text({self.name, problem.motor}),
+                  "variables"_a = list_of(problem.variables,
+                                          [](const studies::DesignVariable& one) {
+                                            return py::make_tuple(
+                                                to_py(info(one.parameter).name), one.min, one.max,
+                                                one.scale == optim::Scale::log, one.start);
+                                          }),
+                  "derived"_a = list_of(problem.derived,
+                                        [](const studies::DerivedParameter& one) {
+                                          return py::make_tuple(to_py(info(one.parameter).name),
+                                                                one.value.text);
+                                        }),
+                  "choices"_a = list_of(
+                      problem.choices,
+                      [](const studies::DesignChoice& choice) {
+                        return py::make_tuple(
+                            choice.name, list_of(choice.sets, [](const studies::ParameterSet& set) {
+                              return py::make_tuple(set.name, set.file, set_values(set));
+                            }));
+                      }),
+                  "objectives"_a = list_of(problem.objectives,
+                                           [](const studies::DesignObjective& one) {
+                                             return py::make_tuple(one.metric.text, one.maximize);
+                                           }),
+                  "limits"_a = list_of(problem.limits, [](const studies::MotorLimit& one) {
+                    return py::str(one.text);
+                  }));
 }
 
 namespace {
@@ -68,7 +69,8 @@ void restore_freedom(const py::object& state, DesignProblem& problem) {
   for (const py::handle one : state["variables"]) {
     const auto [name, min, max, log, start] =
         py::cast<std::tuple<std::string, double, double, bool, double>>(one);
-    problem.variables.push_back({studies::parse_parameter(name), min, max, log, start});
+    problem.variables.push_back({studies::parse_parameter(name), min, max,
+                                 log ? optim::Scale::log : optim::Scale::linear, start});
   }
   for (const py::handle one : state["derived"]) {
     const auto [name, expression] = py::cast<std::pair<std::string, std::string>>(one);

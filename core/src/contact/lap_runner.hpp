@@ -138,7 +138,7 @@ class LapRunner {
   // ---- bookkeeping ------------------------------------------------------------------------------
 
   void advance(const S& length) {
-    // Events that pile up within rounding of one place are one event: pass it by less than counts.
+    // After five events closer than kSamePlace, step over the place by ten times that, which changes nothing that counts.
     stalled_ = value_of(length) < kSamePlace ? stalled_ + 1 : 0;
     here_.theta = here_.theta + length + (stalled_ > 4 ? 10 * kSamePlace : 0.0);
     here_.at = trig(here_.theta);

@@ -21,7 +21,7 @@ struct LapGuess : LapEntry<double> {
       : LapEntry<double>(entry), zones(ends) {}
 
   ZoneSequence zones;    ///< where the zones of its lap nearly end; none where that is not known
-  bool followed{false};  ///< laps through these zones have led here: only the proof is left
+  bool followed{false};  ///< laps through these zones have led here: one lap verifies the state
   /// Laps from rest lead through the zones of this state: with mu_0 > mu the search may begin here only if that is known.
   bool decided{false};
 };

@@ -123,8 +123,7 @@ class RadialRunner {
     layer_ = {e.at(theta_, at_), e.slope(at_)};
   }
 
-  // To where the traction reaches its threshold, kNoZero if it does not. Events that pile up within rounding of one place, where
-  // it only touches, are passed by.
+  // To where the traction reaches its threshold, kNoZero if it does not. Steps over places where it only touches the threshold.
   double stick_length(const PlaneWave<double>& t, StartOrder order) const {
     long work = 0;
     const auto length_from = [&](double skipped, StartOrder known) {

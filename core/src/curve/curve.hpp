@@ -77,8 +77,8 @@ class Curve {
   /// Smallest speed that has a point [rad/s]; 0 is the limit of rest.
   double begin() const { return begin_; }
 
-  double crest() const { return motor_.crest_velocity / motor_.r; }  ///< V0 / r [rad/s]
-  double holding() const { return holding_torque(motor_); }          ///< mu_0 F_N r [N m]
+  double crest() const { return motor_.mean.crest_velocity / motor_.r; }  ///< V0 / r [rad/s]
+  double holding() const { return holding_torque(motor_); }               ///< mu_0 F_N r [N m]
   /// The input is more than what the contact takes, so that an efficiency means something at no-load (T7.18).
   bool has_input() const { return motor_.stator_damping > 0; }
   bool may_jump() const { return core::may_jump(motor_); }

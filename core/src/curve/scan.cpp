@@ -29,15 +29,15 @@ bool forgets_a_turn(const DrivenMotor<double>& m) {
   return layer.slowest_decay() * 2 * std::numbers::pi > std::numbers::ln2;
 }
 
-// Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
-// own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
-// contact and in what speed takes from the wave's turn.
+// How many samples between rest and the crest speed resolve the ripples of the torque. Each ripple is one turn of the layer's own
+// oscillation at the exit of the contact; the count is the number of such turns that fit into the contact, and into what the
+// speed takes from the wave's turn, before the oscillation has decayed to 1 %.
 double nodes_of_ripples(const DrivenMotor<double>& m) {
   const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
   const contact::LayerMotion<double> layer(n.inertia, n.damping);
   if (layer.kind() != contact::LayerKind::oscillating) return 0;
   const double over = std::log(100.0) / layer.slowest_decay();
-  const double shift = 2 * std::numbers::pi * m.kappa * m.crest_velocity / m.omega;
+  const double shift = 2 * std::numbers::pi * m.kappa * m.mean.crest_velocity / m.omega;
   const double ringing = std::min(2 * n.half_angle, over) + std::min(shift, over);
   const double ripples = layer.natural_frequency() * ringing / (2 * std::numbers::pi);
   return std::min(kPerRipple * ripples, kMostRippled);

@@ -101,9 +101,8 @@ class InverseInterpolation {
     return c.x + step;
   }
 
-  /// True if zero() is the zero. What the next better formula would add is the product of the distances
-  /// of the three points, in units of the curve's own scale, for which a thirtieth of `unit` is taken; and
-  /// where the scale is smaller the bend of the formula at hand tells.
+  /// True if zero() is accurate enough. Two estimates of its error: the product of the distances to the three points over
+  /// (unit / 30)^2, and the square of the last correction over the step.
   bool has_converged() const {
     if (count_ < 3) return false;
     const auto& [c, b, a] = points_;

@@ -46,4 +46,18 @@ const char* to_string(Smoothness smoothness) noexcept {
   return "undefined";
 }
 
+const char* to_string(Argument value) noexcept {
+  switch (value) {
+    case Argument::none: return "none";
+    case Argument::speed: return "speed";
+    case Argument::torque: return "torque";
+    case Argument::both: return "both";
+    case Argument::angle: return "angle";
+    case Argument::periods: return "periods";
+    case Argument::speed_or_torque: return "speed or torque";
+    case Argument::either: return "speed or torque";
+  }
+  return "unknown";
+}
+
 }  // namespace twum

@@ -48,4 +48,21 @@ double inertia(const MotorDesign& design) {
   return layer.given_inertia.value_or(inertia_of(layer.density, layer.thickness));
 }
 
+const char* to_string(Branch value) noexcept {
+  switch (value) {
+    case Branch::running: return "running";
+    case Branch::dead: return "dead";
+  }
+  return "unknown";
+}
+
+const char* to_string(DriveControl value) noexcept {
+  switch (value) {
+    case DriveControl::frequency: return "frequency";
+    case DriveControl::voltage: return "voltage";
+    case DriveControl::amplitude: return "amplitude";
+  }
+  return "unknown";
+}
+
 }  // namespace twum

@@ -11,7 +11,8 @@ namespace {
 TrackRule track_of(const MotorDesign& design) {
   if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
   constexpr int kWithoutWave = -8;
-  const double amplitude = Drive(with(design, Parameter::radial_slices, 1)).first_motor().amplitude;
+  const double amplitude =
+      Drive(with(design, Parameter::radial_slices, 1)).first_motor().mean.amplitude;
   if (!(amplitude > 0)) return track_rule(with(design, Parameter::radial_slices, kWithoutWave));
   MotorDesign given = design;  // the amplitude may exceed the range of the parameter
   given.stator.voltage.reset();

@@ -384,7 +384,7 @@ std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) cons
 
 bool RunningBranch::steady(const MotorPoint& point, double speed) const {
   const WarmStart start = point.solved.start();
-  return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
+  return waves_.stability(waves_.in_amplitude(point.motor.mean.amplitude, speed, &start)).trace < 0;
 }
 
 }  // namespace twum::core

@@ -168,4 +168,15 @@ double duty_limit(const HeatNetwork& network, const HeatLosses& on, const HeatLo
       .nearest();
 }
 
+const char* to_string(Part value) noexcept {
+  switch (value) {
+    case Part::stator: return "stator";
+    case Part::rotor: return "rotor";
+    case Part::housing: return "housing";
+    case Part::contact: return "contact";
+    case Part::lining: return "lining";
+  }
+  return "unknown";
+}
+
 }  // namespace twum

@@ -20,7 +20,7 @@ constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
 
 // Whether zones begin or end close to the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
-  const double offset = kBeside * m.crest_velocity / m.r;
+  const double offset = kBeside * m.mean.crest_velocity / m.r;
   const WarmStart start = p.start();
   for (const double beside : {speed - offset, speed + offset}) {
     if (!wave_meets_rotor(m, beside)) continue;
@@ -53,7 +53,7 @@ DesignDual zero_of(const DesignDual& f, double speed) {
 
 DrivenMotor<ModelDual> moving_motor(const Motor& motor) {
   const DrivenMotor<double>& m = MotorParts::model(motor);
-  return MotorParts::drive(motor) ? differentiated_motor(motor.design(), m.amplitude, m.track)
+  return MotorParts::drive(motor) ? differentiated_motor(motor.design(), m.mean.amplitude, m.track)
                                   : differentiated_motor<ModelDual>(motor.design(), m.track);
 }
 
@@ -125,8 +125,8 @@ MetricDerivative Differentiator::torque_of_full_slip() {
 
 // Where partial turns into full contact the contact angle at the mean radius has no derivative.
 Smoothness Differentiator::of_contact_angle(const DrivenMotor<double>& m) const {
-  const double gap =
-      m.contact.full ? m.contact.edge_cosine + 1 : m.contact.half_angle - std::numbers::pi;
+  const double gap = m.mean.contact.full ? m.mean.contact.edge_cosine + 1
+                                         : m.mean.contact.half_angle - std::numbers::pi;
   return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
 }
 
@@ -139,7 +139,7 @@ Smoothness Differentiator::of_normal_contact(const DrivenMotor<double>& m) const
 // theta_L is pi.
 Derived Differentiator::sized(const ModelDual& dual) {
   const double begin = values_.begin();
-  const bool vanishing = m_.annulus.empty() && m_.contact.half_angle == 0;
+  const bool vanishing = m_.annulus.empty() && m_.mean.contact.half_angle == 0;
   if (vanishing || begin > 0) return {DesignDual(dual.v), Smoothness::undefined};
   const bool constant = std::all_of(dual.d, dual.d + kDirections, [](double d) { return d == 0; });
   return {held(dual, begin), constant ? Smoothness::flat : of_contact_angle(m_)};
@@ -175,7 +175,7 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
   if (!MotorParts::drive(values_.motor()))
     return kept({&model_, point.differentiated(model_, omega), {}});
   const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
-      differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
+      differentiated_motor(design_, values_.motor_at(speed).mean.amplitude, m_.track));
   const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
   return kept({&motor, n, wave_motion<double>(motor, wave_point(motor, n, omega))});
 }
@@ -267,7 +267,7 @@ Derived Differentiator::plateau() {
   if (!(end > 0)) return {DesignDual(end), Smoothness::flat};
   // With mu_0 > mu the laps may leave the plateau for another state before they must.
   const Margin margin = plateau_margin(m_, end);
-  if (std::fabs(margin.value / margin.slope) > 1e-9 * m_.crest_velocity / m_.r)
+  if (std::fabs(margin.value / margin.slope) > 1e-9 * m_.mean.crest_velocity / m_.r)
     return {DesignDual(end), Smoothness::undefined};
   return {zero_of(held(plateau_margin_derivative(model_, end), end), end), of_normal_contact(m_)};
 }
@@ -279,7 +279,7 @@ Derived Differentiator::plateau_of_track() {
   if (end == 0) return {DesignDual(0.0), Smoothness::flat};
   // With mu_0 > mu an edge may leave the plateau for another state before its margin is used up.
   const ModelDual margin = edge_margin_derivative(model_, end);
-  if (std::fabs(margin.v / margin.d[kSpeedDirection]) > 1e-9 * m_.crest_velocity / m_.r)
+  if (std::fabs(margin.v / margin.d[kSpeedDirection]) > 1e-9 * m_.mean.crest_velocity / m_.r)
     return {DesignDual(end), Smoothness::undefined};
   return {zero_of(held(edge_margin_derivative(model_, end), end), end), Smoothness::smooth};
 }
@@ -322,7 +322,7 @@ Derived Differentiator::speed_of_peak(Metric metric, const Peak& peak) {
 DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
   const bool driven = MotorParts::drive(values_.motor()) != nullptr;
   if (driven) {
-    contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
+    contact::SpeedDual amplitude(values_.motor_at(speed).mean.amplitude);
     amplitude.d[0] = moving(speed).wave->in_speed();
     model2_ = differentiated_motor(design_, amplitude, m_.track);
   } else if (!model2_) {

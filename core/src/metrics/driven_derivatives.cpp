@@ -18,7 +18,7 @@ constexpr double kSteep = 1e-4;
 Derived Differentiator::at_pull_out(Metric metric) {
   const double speed = values_.pull_out().parameter;
   const MotorPoint at = values_.pull_out_point();
-  contact::SpeedDual amplitude(at.motor.amplitude);
+  contact::SpeedDual amplitude(at.motor.mean.amplitude);
   amplitude.d[0] = 1;
   const DrivenMotor<ModelDual2> motor = differentiated_motor(design_, amplitude, m_.track);
   ModelDual2 variable = speed_variable<ModelDual2>(speed);

@@ -106,7 +106,8 @@ double Evaluator::at(Metric metric, double speed) {
   const DrivenMotor<double>& m = motor_at(speed);
   if (!is_wave_metric(metric)) return point_metric(metric, n, speed, m);
   if (needs_sensor(metric) && !modes().sensor) throw SearchFailure{MetricStatus::undefined};
-  WavePoint<double> p{m.amplitude, m.omega, n.reactive_force, n.stator_power, n.torque * speed};
+  WavePoint<double> p{m.mean.amplitude, m.omega, n.reactive_force, n.stator_power,
+                      n.torque * speed};
   if (needs_backward_wave(metric, modes()))
     p = with_backward_wave(metric, p, modes(), disturbed_contact_at(speed));
   return wave_metric(metric, modes(), p);

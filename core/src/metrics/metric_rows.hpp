@@ -14,8 +14,8 @@ namespace twum::core {
 /// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
 template <typename S>
 S layer_aspect(const DrivenMotor<S>& m) {
-  if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
-  return m.thickness / (2.0 * m.contact.half_length);
+  if (!(value_of(m.mean.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
+  return m.thickness / (2.0 * m.mean.contact.half_length);
 }
 
 /// A point metric from the numbers of a point (T7.1 to T7.9); S is double or carries derivatives. The one place for these
@@ -34,7 +34,7 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::wear_intensity_at: return n.friction_power / track_area(m);                  // (T7.9)
     case M::stick_fraction_at: return n.stick_fraction;
     case M::speed_at: return speed;
-    case M::amplitude_at: return m.amplitude;
+    case M::amplitude_at: return m.mean.amplitude;
     case M::drive_frequency_at: return m.omega / (2 * std::numbers::pi);
     case M::max_pressure_at: return largest_pressure(m);
     case M::layer_aspect_at: return layer_aspect(m);
@@ -274,8 +274,8 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::speed_at_max_efficiency:
       return to.speed_of_peak(M::efficiency_at, search.max_efficiency());
     case M::contact_half_length:
-      return to.of_contact([](const auto& m) { return m.contact.half_length; });
-    case M::contact_ratio: return to.of_contact([](const auto& m) { return m.contact.ratio; });
+      return to.of_contact([](const auto& m) { return m.mean.contact.half_length; });
+    case M::contact_ratio: return to.of_contact([](const auto& m) { return m.mean.contact.ratio; });
     case M::max_pressure: return to.of_contact([](const auto& m) { return largest_pressure(m); });
     case M::layer_aspect: return to.of_contact([](const auto& m) { return layer_aspect(m); });
     case M::pressure_nonuniformity:

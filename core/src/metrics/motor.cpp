@@ -63,11 +63,11 @@ std::vector<double> Motor::slice_radii() const {
   return radii;
 }
 
-const NormalContact<double>& Motor::contact() const { return model().contact; }
+const NormalContact<double>& Motor::contact() const { return model().mean.contact; }
 
 double Motor::first_speed() const { return drive_ ? drive()->begin() : 0; }
 
-double Motor::crest_speed() const { return model().crest_velocity / model().r; }
+double Motor::crest_speed() const { return model().mean.crest_velocity / model().r; }
 
 double Motor::wave_speed() const { return model().omega / model().kappa / model().r; }
 

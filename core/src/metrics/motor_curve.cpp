@@ -29,7 +29,7 @@ CurvePoint curve_point(double speed, const DrivenMotor<double>& m, const SolvedP
   return {.speed = speed,
           .torque = n.torque,
           .input = n.stator_power + stator_loss(m),
-          .electrical_input = modes ? electrical_power(*modes, n, m.amplitude, m.omega)
+          .electrical_input = modes ? electrical_power(*modes, n, m.mean.amplitude, m.omega)
                                     : std::numeric_limits<double>::quiet_NaN(),
           .plateau = solved.drives(),
           .special = solved.special,
@@ -73,8 +73,8 @@ CurveSlope PrescribedCurve::slope(double speed, const WarmStart* guess) const {
   CurveSlope s{
       speed, sloped(n.torque), sloped(n.stator_power + stator_loss(m)), {}, solved.start()};
   if (modes_)
-    s.electrical_input = sloped(electrical_power(constant_modes<MotionDual>(*modes_), n,
-                                                 MotionDual(m.amplitude), MotionDual(m.omega)));
+    s.electrical_input = sloped(electrical_power(
+        constant_modes<MotionDual>(*modes_), n, MotionDual(m.mean.amplitude), MotionDual(m.omega)));
   return s;
 }
 
@@ -99,7 +99,7 @@ CurveSlope DrivenCurve::slope(double speed, const WarmStart*) const {
   const MotorPoint at = drive_.at(speed);
   require_answer(at.solved);
   const DrivenWaves& waves = drive_.waves();
-  const DrivenWaves::MovingWave wave = waves.moving(at.solved, at.motor.amplitude, speed);
+  const DrivenWaves::MovingWave wave = waves.moving(at.solved, at.motor.mean.amplitude, speed);
   const PointNumbers<MotionDual>& n = wave.numbers;
   const MotionDual omega(at.motor.omega), velocity = omega * wave.amplitude;
   const double rate = wave.amplitude_per_speed();

@@ -92,7 +92,7 @@ template <typename T>
 WavePoint<Dual<T, kDesignDirections>> wave_point(const DrivenMotor<Dual<T, kDirections>>& m,
                                                  const PointNumbers<Dual<T, kDirections>>& n,
                                                  const Dual<T, kDirections>& speed) {
-  return {widened(m.amplitude), widened(m.omega), widened(n.reactive_force),
+  return {widened(m.mean.amplitude), widened(m.omega), widened(n.reactive_force),
           widened(n.stator_power), widened(n.torque * speed)};
 }
 

@@ -41,7 +41,7 @@ DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
       c(m.kinetic), c(m.threshold),  c(m.preload), c(m.stator_damping), {},
       c(m.slope),   c(m.compliance), m.track};
   std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
-  static_cast<Slice<T>&>(r) = mapped<T>(static_cast<const Slice<S>&>(m), c);
+  r.mean = mapped<T>(m.mean, c);
   r.omega = c(m.omega), r.lever = c(m.lever), r.holding_lever = c(m.holding_lever);
   r.indentation = c(m.indentation);
   for (const Piece<S>& p : m.pieces)

@@ -120,9 +120,10 @@ struct Slice {
       0.0};  ///< q, radial motion of the surface per tangential one (R1.1); 0 where it is left out
 };
 
-/// A motor under a wave (theory section 3). As a slice it is the contact at the mean radius.
+/// A motor under a wave (theory section 3).
 template <typename S>
-struct DrivenMotor : MotorModel<S>, Slice<S> {
+struct DrivenMotor : MotorModel<S> {
+  Slice<S> mean;  ///< the contact at the mean radius
   S omega;
   S lever;  ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
   S holding_lever;                ///< the same without a wave
@@ -132,7 +133,7 @@ struct DrivenMotor : MotorModel<S>, Slice<S> {
 
   /// What the motor's numbers are sums over.
   std::span<const Slice<S>> slices() const {
-    return annulus.empty() ? std::span(static_cast<const Slice<S>*>(this), 1) : std::span(annulus);
+    return annulus.empty() ? std::span(&mean, 1) : std::span(annulus);
   }
 };
 
@@ -277,8 +278,9 @@ S lever_of(std::span<const Slice<S>> slices, const S& preload) {
 /// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
 template <typename S>
 bool is_trivial(const DrivenMotor<S>& m) {
-  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.threshold) == 0 ||
-         (m.annulus.empty() && value_of(m.contact.half_angle) == 0);
+  return value_of(m.mean.amplitude) == 0 || value_of(m.preload) == 0 ||
+         value_of(m.threshold) == 0 ||
+         (m.annulus.empty() && value_of(m.mean.contact.half_angle) == 0);
 }
 
 /// The motor under a wave: solves the normal contact.
@@ -286,16 +288,17 @@ template <typename S>
 DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   DrivenMotor<S> m;
   static_cast<MotorModel<S>&>(m) = model;
-  m.amplitude = wave.amplitude, m.omega = wave.omega;
-  m.crest_velocity = m.tilt * m.amplitude * m.omega;
-  const S P = m.youngs * m.amplitude / m.thickness;
-  m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
-  m.radius = m.r, m.width = m.b, m.shape = S(1.0), m.load = m.preload, m.share = S(1.0);
-  m.edge = m.contact.full ? contact::Trig<S>{S(0.0), S(-1.0), S(2.0)}
-                          : contact::trig(m.contact.half_angle);
-  static_cast<Slice<S>&>(m) = completed<S>(m, m);
+  m.mean.amplitude = wave.amplitude, m.omega = wave.omega;
+  m.mean.crest_velocity = m.tilt * m.mean.amplitude * m.omega;
+  const S P = m.youngs * m.mean.amplitude / m.thickness;
+  m.mean.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
+  m.mean.radius = m.r, m.mean.width = m.b, m.mean.shape = S(1.0);
+  m.mean.load = m.preload, m.mean.share = S(1.0);
+  m.mean.edge = m.mean.contact.full ? contact::Trig<S>{S(0.0), S(-1.0), S(2.0)}
+                                    : contact::trig(m.mean.contact.half_angle);
+  m.mean = completed<S>(m.mean, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
-  if (contact::kHasRadialMotion && m.track.radial) m.radial = radial_ratio<S>(m, m.r);
+  if (contact::kHasRadialMotion && m.track.radial) m.mean.radial = radial_ratio<S>(m, m.r);
   if (m.track.nodes == 1) return m;
   return over_annulus(std::move(m));
 }
@@ -339,7 +342,7 @@ contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<
 /// Those of the contact at the mean radius.
 template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& speed) {
-  return contact_numbers(m, static_cast<const Slice<S>&>(m), speed);
+  return contact_numbers(m, m.mean, speed);
 }
 
 /// mu_0 F_N r (T7.8), over an annulus (W3.6): torque held at rest without drive [N m].
@@ -357,7 +360,7 @@ S slipping_torque(const DrivenMotor<S>& m) {
 /// c_stator (omega A)^2 (T7.5) [W].
 template <typename S>
 S stator_loss(const DrivenMotor<S>& m) {
-  const S velocity = m.omega * m.amplitude;
+  const S velocity = m.omega * m.mean.amplitude;
   return m.stator_damping * velocity * velocity;
 }
 

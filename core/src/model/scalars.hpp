@@ -37,7 +37,7 @@ inline constexpr std::size_t kShapeIndex = model_index(Parameter::shape_exponent
 static_assert(kShapeIndex + 2 == kModelParameters.size());
 
 inline constexpr int kSpeedDirection = static_cast<int>(kModelNumbers);
-/// Rounded up to an even number, of which vector instructions make pairs: one more that is always zero costs less than none.
+/// Padded to an even count: a direction that is always zero is cheaper than an odd one, which vector instructions cannot pair.
 inline constexpr int kDirections = (kSpeedDirection + 2) / 2 * 2;
 
 using ModelDual = Dual<double, kDirections>;

@@ -30,9 +30,10 @@ double indentation_of(const Track<double>& track) {
   const double lift_off = track.lift_off();
   const double rigid = m.preload * m.thickness / (2 * pi * m.r * m.b * m.youngs);
   // In full contact the mean indentation tells the force; elsewhere the layer only pushes more.
-  const double most = std::max(lift_off, m.amplitude + rigid + m.slope * m.b * m.b / (12 * m.r));
+  const double most =
+      std::max(lift_off, m.mean.amplitude + rigid + m.slope * m.b * m.b / (12 * m.r));
   double low = lift_off, high = most + kQuadrature * (most - lift_off + rigid);
-  double depth = std::clamp(m.amplitude * m.peak, low, high);
+  double depth = std::clamp(m.mean.amplitude * m.mean.peak, low, high);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     const auto [force, slope] = track.force_and_slope(depth);
     const double step = (m.preload - force) / slope;
@@ -120,7 +121,7 @@ EdgedContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amp
 // The same without a wave.
 template <typename S>
 EdgedContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth) {
-  NormalContact<S> c = m.contact;
+  NormalContact<S> c = m.mean.contact;
   c.full = value_of(depth) > 0;
   c.half_angle = S(c.full ? pi : 0.0);
   c.max_pressure = c.full ? S(m.youngs * depth / m.thickness) : S(0.0);
@@ -170,14 +171,14 @@ S radial_ratio(const MotorModel<S>& m, const S& radius) {
 
 template <typename S>
 Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
-  if (m.track.nodes == 1) return m;
+  if (m.track.nodes == 1) return m.mean;
   Slice<S> s;
   s.radius = radius, s.width = width;
   s.shape = 1.0 + shape_excess(m, radius);
-  s.amplitude = m.amplitude * s.shape;
+  s.amplitude = m.mean.amplitude * s.shape;
   s.crest_velocity = m.tilt * m.r / radius * s.amplitude * m.omega;
   const S depth = m.indentation + crest_rise(m, radius);
-  const EdgedContact<S> c = value_of(m.amplitude) == 0
+  const EdgedContact<S> c = value_of(m.mean.amplitude) == 0
                                 ? flat_contact(m, depth)
                                 : contact_of(m, S(m.n / radius), s.amplitude, depth);
   s.contact = c.contact, s.edge = c.edge;
@@ -236,14 +237,14 @@ std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const SplitP
 
 template <typename S>
 DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
-  if (value_of(m.preload) == 0 || value_of(m.contact.half_angle) == 0) return m;
+  if (value_of(m.preload) == 0 || value_of(m.mean.contact.half_angle) == 0) return m;
   const Pressed<S> flat = pressed_without_wave(m);
   m.lever = m.holding_lever = flat.lever, m.indentation = flat.indentation;
-  if (value_of(m.amplitude) == 0) return m;
+  if (value_of(m.mean.amplitude) == 0) return m;
   const Track<S> track(m);
   m.indentation = indentation_in(track, m.preload);
   m.pieces = track.pieces(m.indentation);
-  static_cast<Slice<S>&>(m) = slice_at(m, m.r, m.b);
+  m.mean = slice_at(m, m.r, m.b);
   m.annulus = annulus_of<S>(m, {});
   m.lever = lever_of<S>(m.annulus, m.preload);
   return m;
@@ -262,7 +263,7 @@ std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m) {
 
 template <typename S>
 S largest_pressure(const DrivenMotor<S>& m) {
-  if (m.annulus.empty()) return m.contact.max_pressure;
+  if (m.annulus.empty()) return m.mean.contact.max_pressure;
   const DrivenMotor<double> values = values_of(m);
   const std::vector<double> radii = radii_between_turns(values);
   const double top = *std::max_element(radii.begin(), radii.end(), [&](double a, double b) {

@@ -52,7 +52,7 @@ S ratio_at_contact(const MotorModel<S>& m) {
 /// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1) [m].
 template <typename S, typename R>
 R crest_rise(const DrivenMotor<S>& m, const R& radius) {
-  return m.amplitude * shape_excess(m, radius) - (radius - m.r) * m.slope;
+  return m.mean.amplitude * shape_excess(m, radius) - (radius - m.r) * m.slope;
 }
 
 /// The contact at a radius of the track (W1.2, W2.2), half_angle 0 where the wave does not reach the rotor. For one slice it

@@ -20,8 +20,8 @@ inline constexpr double kLiftOff = 0, kFull = 2;
 template <typename S, typename R>
 R clearance(const DrivenMotor<S>& m, const R& radius, const R& indentation, double versine) {
   const R excess = shape_excess(m, radius);
-  const R crest = indentation + m.amplitude * excess - (radius - m.r) * m.slope;
-  return versine == 0 ? crest : R(crest - (versine * m.amplitude) * (1.0 + excess));
+  const R crest = indentation + m.mean.amplitude * excess - (radius - m.r) * m.slope;
+  return versine == 0 ? crest : R(crest - (versine * m.mean.amplitude) * (1.0 + excess));
 }
 
 /// Its slope along the radius, which does not depend on the indentation.
@@ -76,7 +76,8 @@ DrivenMotor<double> values_of(const DrivenMotor<S>& m) {
   v.slope = value_of(m.slope);
   std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), v.shape_numbers.begin(),
                  [](const S& number) { return value_of(number); });
-  v.amplitude = value_of(m.amplitude), v.peak = value_of(m.peak), v.track = m.track;
+  v.mean.amplitude = value_of(m.mean.amplitude), v.mean.peak = value_of(m.mean.peak),
+  v.track = m.track;
   return v;
 }
 
@@ -106,8 +107,8 @@ class Track {
     R force(0.0);
     const auto add = [&](const R& radius, const R& width) {
       const R excess = shape_excess(m_, radius);
-      const R amplitude = m_.amplitude * (1.0 + excess);
-      const R crest = indentation + m_.amplitude * excess - (radius - m_.r) * m_.slope;
+      const R amplitude = m_.mean.amplitude * (1.0 + excess);
+      const R crest = indentation + m_.mean.amplitude * excess - (radius - m_.r) * m_.slope;
       force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
                contact::crest_contact(R(crest / amplitude)).load;
     };
@@ -125,9 +126,9 @@ class Track {
     ForceAndSlope sum{0, 0};
     const auto add = [&](double radius, double width) {
       const double excess = shape_excess(values_, radius);
-      const double amplitude = values_.amplitude * (1 + excess);
+      const double amplitude = values_.mean.amplitude * (1 + excess);
       const double crest =
-          indentation + values_.amplitude * excess - (radius - values_.r) * values_.slope;
+          indentation + values_.mean.amplitude * excess - (radius - values_.r) * values_.slope;
       const contact::CrestContact<double> at = contact::crest_contact(crest / amplitude);
       const double stiffness = 2 * radius * width * values_.youngs / values_.thickness;
       sum.force += stiffness * amplitude * at.load;

@@ -20,7 +20,7 @@ constexpr double kNarrow = 0.005;
 // Where only one end of a bracket has a short zone, the next place lies this share of the bracket towards that end.
 constexpr double kHopeful = 0.7;
 constexpr double kAcross = 0.1;  // the same where it would vanish at the other end
-// Where the means jump, their error is as large as that of the split. By how much it may be off.
+// Tolerance of a split at which the means jump, in parts of the piece; the means inherit it.
 constexpr double kSharp = 1e-14;
 // A bracket that does not tell its jump is narrowed to this.
 constexpr double kCloseToJump = 1e-10;

@@ -168,7 +168,7 @@ enum class Rubbing : unsigned char { nothing, flat_stator, locked_layer, wave };
 
 Rubbing rubbing_of(const DrivenMotor<double>& m, const Slice<double>& s, double speed) {
   if (m.threshold == 0 || m.preload == 0 || s.load == 0) return Rubbing::nothing;
-  if (m.amplitude == 0) return Rubbing::flat_stator;
+  if (m.mean.amplitude == 0) return Rubbing::flat_stator;
   if (s.contact.half_angle == 0) return Rubbing::nothing;
   return speed == 0 && locks_at_rest(m, s) ? Rubbing::locked_layer : Rubbing::wave;
 }

@@ -25,14 +25,14 @@ constexpr OperatingPoint kNoAnswer = [] {
 void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
                    const StatorModes<double>& modes) {
   const WaveBalance<double> wave =
-      wave_balance(modes, m.amplitude, m.omega, point.reactive_force, point.stator_power);
+      wave_balance(modes, m.mean.amplitude, m.omega, point.reactive_force, point.stator_power);
   Phasor<double> backward{0, 0};
   if (!modes.unequal.none()) {
     backward = {kNoValue, kNoValue};
     if (const auto contact = disturbed_contact(m, point.speed))
-      backward = forced_backward_wave(*contact, modes, wave, m.amplitude);
+      backward = forced_backward_wave(*contact, modes, wave, m.mean.amplitude);
   }
-  const Terminals<double> t = terminals(modes, wave, m.amplitude, m.omega, backward);
+  const Terminals<double> t = terminals(modes, wave, m.mean.amplitude, m.omega, backward);
   point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
   point.voltage = t.voltage;
   point.phase_current = t.current;
@@ -58,7 +58,7 @@ OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoin
   point.wear_intensity = n.friction_power / track_area(m);
   point.stick_fraction = n.stick_fraction;
   point.reactive_force = n.reactive_force;
-  point.amplitude = m.amplitude;
+  point.amplitude = m.mean.amplitude;
   if (modes) add_terminals(point, m, *modes);
   return point;
 }
@@ -78,18 +78,19 @@ BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& s
     wave.squeal_rate = free_backward_wave(*contact, *modes, rotor_mass).rate;
     wave.fed_damping = 2 * modes->mass * wave.squeal_rate + modes->damping;  // (D6.7, D6.8)
   }
-  const WaveBalance<double> forward = wave_balance(
-      *modes, m.amplitude, m.omega, solved.numbers.reactive_force, solved.numbers.stator_power);
+  const WaveBalance<double> forward =
+      wave_balance(*modes, m.mean.amplitude, m.omega, solved.numbers.reactive_force,
+                   solved.numbers.stator_power);
   Phasor<double> backward{0, 0};
   if (!modes->unequal.none()) {
     if (!contact) return wave;
-    backward = forced_backward_wave(*contact, *modes, forward, m.amplitude);
+    backward = forced_backward_wave(*contact, *modes, forward, m.mean.amplitude);
   }
   const double voltage = forward.force() / modes->force_factor / modes->unequal.share(),
                rms = std::sqrt(0.5);
   const PhaseCurrents<double> i =
-      phase_currents(*modes, forward, m.amplitude, m.omega, voltage, backward);
-  wave.ratio = std::sqrt(backward.squared()) / m.amplitude;
+      phase_currents(*modes, forward, m.mean.amplitude, m.omega, voltage, backward);
+  wave.ratio = std::sqrt(backward.squared()) / m.mean.amplitude;
   wave.standing_wave_ratio = (1 + wave.ratio) / (1 - wave.ratio);
   wave.first_current = rms * i.first, wave.second_current = rms * i.second;
   return wave;

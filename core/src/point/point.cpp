@@ -59,7 +59,7 @@ bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, dou
 bool drags_steadily(const DrivenMotor<double>& m, double speed) {
   if (!has_static_excess(m) || m.inertia == 0 || speed == 0) return true;
   const double W = m.omega + m.kappa * m.r * speed;
-  const double pressure = m.contact.max_pressure;
+  const double pressure = m.mean.contact.max_pressure;
   const LayerMotion<double> layer(m.inertia * W * W / m.shear, m.viscosity * W / m.shear);
   const double sigma = speed > 0 ? 1 : -1;
   const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
@@ -110,7 +110,7 @@ bool locks_at_rest(const DrivenMotor<S>& m, const Slice<S>& slice) {
 
 bool locks_at_rest(const DrivenMotor<double>& m) {
   if (m.threshold == 0 || m.preload == 0) return false;
-  if (m.amplitude == 0) return true;
+  if (m.mean.amplitude == 0) return true;
   const auto slices = m.slices();
   return std::all_of(slices.begin(), slices.end(),
                      [&m](const Slice<double>& s) { return locks_at_rest(m, s); });
@@ -137,7 +137,7 @@ PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   for (const Slice<S>& s : slices.subspan(1)) force = force + s.pressure_force;
   if (value_of(m.threshold) == 0 || value_of(m.preload) == 0)
     return {zero, zero, zero, zero, zero, force};
-  if (value_of(m.amplitude) == 0) {
+  if (value_of(m.mean.amplitude) == 0) {
     // At rest the limit of forward speeds, as everywhere.
     const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * slipping_torque(m) + zero;
     return {drag, zero, -(drag * speed), zero, zero, force};
@@ -246,12 +246,12 @@ bool slice_drives(const DrivenMotor<double>& m, const Slice<double>& slice, doub
 
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : first_(m.annulus.empty() ? SolvedSlice(m, m, speed, layer_of(m, speed),
+    : first_(m.annulus.empty() ? SolvedSlice(m, m.mean, speed, layer_of(m, speed),
                                              guess ? &guess->of_slice(0) : nullptr, accuracy)
                                : SolvedSlice()) {
   if (m.annulus.empty()) {
     status = status_of(m, first_);
-    numbers = numbers_of(m, m, first_, speed);
+    numbers = numbers_of(m, m.mean, first_, speed);
     return;
   }
   const LayerMotion<double> layer = layer_of(m, speed);
@@ -343,8 +343,8 @@ SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) 
   SolvedPoint point;
   point.special = true;
   point.numbers = special_point(m, speed);
-  const bool steady =
-      is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.threshold == m.kinetic;
+  const bool steady = is_trivial(m) ? (m.mean.amplitude != 0 || drags_steadily(m, speed))
+                                    : m.threshold == m.kinetic;
   if (!steady) point.status = PointStatus::no_periodic_state;
   return point;
 }

@@ -257,8 +257,8 @@ inline constexpr double kWithoutSplits = 1e-6;
 SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 
-/// The same where Newton's method has already led speed, wave and layer together to the point, so that only the proof is left:
-/// the state is accepted if a lap returns to it within 1e-12. A point of the branch is its use.
+/// Solves a point for which Newton's method has already led speed, wave and layer together to their solution, as on the running
+/// branch. One lap verifies the state: it has to return within 1e-12.
 /// @param near   a point with nearly the same speed and wave: if its track is split, this one is split at the same radii,
 ///               without a search for them
 /// @param guess  the state that Newton's method has found; from a state that is farther off, laps follow until it is reached

@@ -38,7 +38,7 @@ DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& 
 // Largest difference of two points in units of their scales; points without an answer say nothing.
 double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const SolvedPoint& b) {
   if (a.status != PointStatus::ok || b.status != PointStatus::ok) return 0;
-  const double torque = holding_torque(m), power = torque * m.crest_velocity / m.r;
+  const double torque = holding_torque(m), power = torque * m.mean.crest_velocity / m.r;
   const PointNumbers<double>&p = a.numbers, &q = b.numbers;
   return std::max({std::fabs(p.torque - q.torque) / torque,
                    std::fabs(p.stator_power - q.stator_power) / power,
@@ -50,7 +50,7 @@ double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const Solv
 Numbers points_of(const DrivenMotor<double>& m, const Numbers* fewer) {
   Numbers points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double speed = kSpeeds[i] * m.crest_velocity / m.r;
+    const double speed = kSpeeds[i] * m.mean.crest_velocity / m.r;
     points[i] = fewer && has_static_excess(m)
                     ? solve_point_near(m, speed, (*fewer)[i], (*fewer)[i].start())
                     : solve_point(m, speed, nullptr, kStates);
@@ -95,7 +95,7 @@ bool remembers_long(const DrivenMotor<double>& m) {
 bool is_laborious(const ModelArray<double>& values) {
   const DrivenMotor<double> m = driven(motor_model(values), design_wave(values));
   return std::any_of(kSpeeds.begin(), kSpeeds.end(), [&](double share) {
-    const double speed = share * m.crest_velocity / m.r;
+    const double speed = share * m.mean.crest_velocity / m.r;
     return solve_point(m, speed, nullptr, kStates).zones_followed() > kMostLaborious;
   });
 }

@@ -119,4 +119,21 @@ std::vector<PlateMode> plate_modes(const std::vector<Segment>& segments, PlateTh
   return modes;
 }
 
+const char* to_string(PlateTheory value) noexcept {
+  switch (value) {
+    case PlateTheory::mindlin: return "mindlin";
+    case PlateTheory::kirchhoff: return "kirchhoff";
+  }
+  return "unknown";
+}
+
+const char* to_string(InnerEdge value) noexcept {
+  switch (value) {
+    case InnerEdge::free: return "free";
+    case InnerEdge::clamped: return "clamped";
+    case InnerEdge::supported: return "supported";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::stator

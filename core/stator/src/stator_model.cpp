@@ -252,4 +252,13 @@ StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double
   return model;
 }
 
+const char* to_string(ModeIdentity value) noexcept {
+  switch (value) {
+    case ModeIdentity::clear: return "clear";
+    case ModeIdentity::shared: return "shared";
+    case ModeIdentity::crossing: return "crossing";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::stator

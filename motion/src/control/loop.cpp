@@ -14,4 +14,12 @@ double AngleSensor::read(double angle) const {
   return count_ > 0 ? count_ * std::round(angle / count_) : angle;
 }
 
+const char* to_string(Actuator value) noexcept {
+  switch (value) {
+    case Actuator::frequency: return "frequency";
+    case Actuator::voltage: return "voltage";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::motion

@@ -192,4 +192,12 @@ ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFu
   return Profile(parameters, as_fitted, plain, fit, parameter, end).find();
 }
 
+const char* to_string(IntervalEnd value) noexcept {
+  switch (value) {
+    case IntervalEnd::low: return "low";
+    case IntervalEnd::high: return "high";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

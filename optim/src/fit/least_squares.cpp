@@ -146,4 +146,12 @@ LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
   return space.result(search(space, options.solver));
 }
 
+const char* to_string(Loss value) noexcept {
+  switch (value) {
+    case Loss::squares: return "squares";
+    case Loss::huber: return "huber";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

@@ -34,4 +34,14 @@ void Counters::subtract(const Counters& other) {
   for (const auto& [reason, count] : other.failures) failures[reason] -= count;
 }
 
+const char* to_string(StopReason value) noexcept {
+  switch (value) {
+    case StopReason::finished: return "finished";
+    case StopReason::evaluations: return "evaluations";
+    case StopReason::seconds: return "seconds";
+    case StopReason::requested: return "requested";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

@@ -34,4 +34,22 @@ void validate_robust(const RobustProblem& problem) {
   }
 }
 
+const char* to_string(Statistic value) noexcept {
+  switch (value) {
+    case Statistic::mean: return "mean";
+    case Statistic::sd: return "sd";
+    case Statistic::quantile: return "quantile";
+  }
+  return "unknown";
+}
+
+const char* to_string(RobustGoal value) noexcept {
+  switch (value) {
+    case RobustGoal::nominal: return "nominal";
+    case RobustGoal::yield: return "yield";
+    case RobustGoal::statistic: return "statistic";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

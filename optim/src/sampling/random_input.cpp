@@ -62,4 +62,15 @@ BuiltValue RandomInput::at(double design, double z) const {
   return {design + deviation, relative ? 1.0 + o.value : 1.0, scale * o.by_normal, deviation};
 }
 
+const char* to_string(Law value) noexcept {
+  switch (value) {
+    case Law::normal: return "normal";
+    case Law::lognormal: return "lognormal";
+    case Law::uniform: return "uniform";
+    case Law::triangular: return "triangular";
+    case Law::given: return "given";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::optim

@@ -289,7 +289,7 @@ class ContinuousSolve {
     result.infeasibility = {};
   }
 
-  // Returns the least infeasible design, if the budget allows its evaluation.
+  // Makes the least infeasible design the answer, if the budget allows its certificate.
   void move_to(const std::vector<double>& design) {
     SolverRun look;
     look.session = std::make_unique<Session>(runner_.problem(), options_, runner_.deadline(),

@@ -38,8 +38,7 @@ Shape<DesignVariable> range(const ParameterInfo& parameter) {
       std::string(parameter.text),
       {required<DesignVariable>("min", value, &DesignVariable::min),
        required<DesignVariable>("max", value, &DesignVariable::max),
-       standard<DesignVariable>("scale", word<bool>("spacing", {"linear", "log"}),
-                                &DesignVariable::log),
+       standard<DesignVariable>("scale", shapes::spacing(), &DesignVariable::scale),
        std::move(start)},
       check_range);
 }
@@ -197,6 +196,10 @@ Shape<std::vector<MotorLimit>> constraints() {
 }
 
 Shape<std::uint64_t> samples() { return count("number of samples", "1000", 1, 1e9); }
+
+Shape<optim::Scale> spacing() {
+  return word<optim::Scale>("spacing", {optim::Scale::linear, optim::Scale::log});
+}
 
 Shape<std::uint64_t> seed() {
   // At most 2^53 - 1: above it not every integer is a double, so two seeds could be equal.

@@ -35,6 +35,7 @@ Shape<std::uint64_t> samples();
 Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
 Shape<double> value_of(const ParameterInfo& parameter);
+Shape<optim::Scale> spacing();  ///< linear or log
 
 /// {torque, speed}; its text is the limit torque_at(SPEED) >= TORQUE as typed.
 Shape<DutyPoint> duty_point();

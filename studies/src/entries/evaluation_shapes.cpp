@@ -17,7 +17,6 @@ using namespace shapes;
 
 namespace {
 
-constexpr std::array<const char*, 4> kSamplings{"grid", "list", "lhs", "sobol"};
 constexpr double kMostDesigns = 1e9;  // of one sweep
 
 // Lines for templates.
@@ -32,17 +31,17 @@ Shape<Variable> sweep_variable(const ParameterInfo& row) {
   Field<Variable> points =
       standard<Variable>("points", count("grid points", "5", 2, 1e6), &Variable::points);
   points.entry.fallback = std::to_string(Variable{}.points) + ", for a grid";
-  const auto limits = mapping<Variable>(
-      std::string(row.text),
-      {required<Variable>("min", value, &Variable::min),
-       required<Variable>("max", value, &Variable::max), std::move(points),
-       standard<Variable>("scale", word<bool>("spacing", {"linear", "log"}), &Variable::log)},
-      [](Variable& range, const Given& given, Diagnostics& diagnostics) {
-        if (given.right("min") != nullptr && given.right("max") != nullptr)
-          rising(given, "min", range.min, "max", range.max, diagnostics);
-        check_log(given, range.min, diagnostics);
-        return true;
-      });
+  const auto limits =
+      mapping<Variable>(std::string(row.text),
+                        {required<Variable>("min", value, &Variable::min),
+                         required<Variable>("max", value, &Variable::max), std::move(points),
+                         standard<Variable>("scale", spacing(), &Variable::scale)},
+                        [](Variable& range, const Given& given, Diagnostics& diagnostics) {
+                          if (given.right("min") != nullptr && given.right("max") != nullptr)
+                            rising(given, "min", range.min, "max", range.max, diagnostics);
+                          check_log(given, range.min, diagnostics);
+                          return true;
+                        });
   const auto listed = shape_as<Variable, std::vector<double>>(
       list("values", value),
       [](std::vector<double> values) { return Variable{.values = std::move(values)}; },
@@ -123,10 +122,11 @@ class SweepChecker {
   // A grid over an integer parameter, such as wavelengths, must consist of integers.
   void check_whole_points(const Variable& range, const YamlNode& variables) {
     if (!info(range.parameter).integer || !range.values.empty() || !(range.min < range.max)) return;
-    if (range.log && !(range.min > 0)) return;
+    if (range.scale == optim::Scale::log && !(range.min > 0)) return;
     const auto last = static_cast<double>(range.points - 1);
     for (std::uint64_t i = 0; i < range.points; ++i) {
-      const double value = between(range.min, range.max, static_cast<double>(i) / last, range.log);
+      const double value =
+          between(range.min, range.max, static_cast<double>(i) / last, range.scale);
       if (std::abs(value - std::round(value)) <= 1e-9 * value) continue;
       const YamlEntry& entry = entry_of(range.parameter, variables);
       diagnostics_.add(entry.value.mark, path_of(entry.key),
@@ -269,8 +269,32 @@ Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
 
 }  // namespace
 
-std::string_view to_string(Sampling sampling) {
-  return kSamplings[static_cast<std::size_t>(sampling)];
+const char* to_string(Sampling value) noexcept {
+  switch (value) {
+    case Sampling::grid: return "grid";
+    case Sampling::list: return "list";
+    case Sampling::lhs: return "lhs";
+    case Sampling::sobol: return "sobol";
+  }
+  return "unknown";
+}
+
+const char* to_string(SweepDirection value) noexcept {
+  switch (value) {
+    case SweepDirection::up: return "up";
+    case SweepDirection::down: return "down";
+    case SweepDirection::both: return "both";
+  }
+  return "unknown";
+}
+
+const char* to_string(SensitivityMethod value) noexcept {
+  switch (value) {
+    case SensitivityMethod::local: return "local";
+    case SensitivityMethod::morris: return "morris";
+    case SensitivityMethod::sobol: return "sobol";
+  }
+  return "unknown";
 }
 
 static Shape<std::vector<double>> loads() {
@@ -301,9 +325,11 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
        hidden(optional<F>("speed",
                           quantity("speed of the rotor, in place of a torque", "rad/s", "0 rpm"),
                           &F::speed, "it follows from the torque")),
-       standard<F>("direction",
-                   word<SweepDirection>("direction of the sweeps", {"up", "down", "both"}),
-                   &F::direction)},
+       standard<F>(
+           "direction",
+           word<SweepDirection>("direction of the sweeps",
+                                {SweepDirection::up, SweepDirection::down, SweepDirection::both}),
+           &F::direction)},
       [](F& study, const Given& given, Diagnostics& diagnostics) {
         if (study.from && study.to)
           rising(given, "from", *study.from, "to", *study.to, diagnostics);
@@ -337,7 +363,8 @@ Shape<SweepStudy> SweepStudy::shape() {
       "a grid, list or sample of designs",
       {kind_field<S>(), sweep_variables(), derived_field<S>(),
        required<S>("sampling",
-                   word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
+                   word<Sampling>("how designs are chosen",
+                                  {Sampling::grid, Sampling::list, Sampling::lhs, Sampling::sobol}),
                    &S::sampling),
        required<S>("metrics", shapes::metrics(), &S::metrics),
        of_drawn(standard<S>("samples", shapes::samples(), &S::samples)),
@@ -351,8 +378,9 @@ Shape<SweepStudy> SweepStudy::shape() {
 
 Shape<SensitivityStudy> SensitivityStudy::shape() {
   using S = SensitivityStudy;
-  auto method = word<SensitivityMethod>("local derivatives, screening, or variance shares",
-                                        {"local", "morris", "sobol"});
+  auto method = word<SensitivityMethod>(
+      "local derivatives, screening, or variance shares",
+      {SensitivityMethod::local, SensitivityMethod::morris, SensitivityMethod::sobol});
   method.schema.example = "sobol";
   return mapping<S>(
       "which parameter matters",

@@ -198,7 +198,8 @@ Shape<MotionControl> control_shape() {
        optional<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder,
                    "an exact angle"),
        optional<C>("actuator",
-                   word<motion::Actuator>("what the loop changes", {"frequency", "voltage"}),
+                   word<motion::Actuator>("what the loop changes",
+                                          {motion::Actuator::frequency, motion::Actuator::voltage}),
                    &C::actuator, "the motor's control"),
        optional<C>("range", range, &C::range, "the motor's frequency_range"),
        optional<C>("start_frequency", quantity("at the beginning", "Hz", "43.6 kHz"),
@@ -240,7 +241,7 @@ Shape<MotionStudy> MotionStudy::shape() {
            "engine",
            word<motion::MotionEngine>(
                "one wave, averaged over each vibration, or every vibration of two waves",
-               {"averaged", "oscillating"}),
+               {motion::MotionEngine::averaged, motion::MotionEngine::oscillating}),
            &M::engine)),
        hidden(optional<M>("accuracy", accuracy_shape(), &M::accuracy, "1")),
        standard<M>("initial", initial_shape(), &M::initial),

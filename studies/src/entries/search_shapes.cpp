@@ -263,7 +263,7 @@ Shape<SizeStudy> SizeStudy::shape() {
            word<DutyDrive>(
                "what reaches the points of the duty: one setting of the drive, or a drive that "
                "follows and holds each of them",
-               {"fixed", "follows"}),
+               {DutyDrive::fixed, DutyDrive::follows}),
            &S::drive),
        limits_field("limits", &S::limits), tolerances_field<S>(), correlations_field<S>(),
        standard<S>(
@@ -293,21 +293,42 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
                "what the width of the intervals follows from: the scatter of the residuals, or the "
                "standard deviations in the data, or the scatter of each column of each "
                "table",
-               {"estimated", "stated", "by-column"}),
+               {Scatter::estimated, Scatter::stated, Scatter::by_column}),
            &S::scatter),
        standard<S>("loss",
                    word<FitLoss>("how residuals count: by their squares; or by their size where "
                                  "they are large, so that outliers move the fit little",
-                                 {"squares", "huber"}),
+                                 {FitLoss::squares, FitLoss::huber}),
                    &S::loss),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
        standard<S>(
            "solver",
            word<FitSolver>("solver of each fit; gsl:lm is GSL's, a second way to the same answer",
-                           {optim::kOwnFit, optim::kGslFit}),
+                           {FitSolver::own, FitSolver::gsl}),
            &S::solver),
        standard<S>("seed", shapes::seed(), &S::seed)},
       check_fit);
+}
+
+const char* to_string(FitSolver value) noexcept {
+  return value == FitSolver::gsl ? optim::kGslFit : optim::kOwnFit;
+}
+
+const char* to_string(FitLoss value) noexcept {
+  switch (value) {
+    case FitLoss::squares: return "squares";
+    case FitLoss::huber: return "huber";
+  }
+  return "unknown";
+}
+
+const char* to_string(Scatter value) noexcept {
+  switch (value) {
+    case Scatter::estimated: return "estimated";
+    case Scatter::stated: return "stated";
+    case Scatter::by_column: return "by-column";
+  }
+  return "unknown";
 }
 
 }  // namespace twum::studies

@@ -6,10 +6,11 @@
 
 namespace twum::studies {
 
-double between(double min, double max, double t, bool log) {
+double between(double min, double max, double t, optim::Scale scale) {
   if (t <= 0) return min;
   if (t >= 1) return max;
-  const double value = log ? min * std::pow(max / min, t) : min + t * (max - min);
+  const double value =
+      scale == optim::Scale::log ? min * std::pow(max / min, t) : min + t * (max - min);
   return std::clamp(value, min, max);
 }
 

@@ -86,7 +86,7 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
            "method",
            word<DrawMethod>("motors drawn by their tolerances, or about the points where they are "
                             "most likely to fail: for shares of failures down to 1e-9",
-                            {"plain", "importance"}),
+                            {DrawMethod::plain, DrawMethod::importance}),
            &S::method)),
        optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),
@@ -100,6 +100,14 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
                             "results/first"),
                        &S::start, "the motor as it is"))},
       check_uncertainty);
+}
+
+const char* to_string(DrawMethod value) noexcept {
+  switch (value) {
+    case DrawMethod::plain: return "plain";
+    case DrawMethod::importance: return "importance";
+  }
+  return "unknown";
 }
 
 }  // namespace twum::studies

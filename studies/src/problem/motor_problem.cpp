@@ -30,7 +30,7 @@ optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& 
   v.lower = variable.min;
   v.upper = variable.max;
   v.start = std::isnan(variable.start) ? get(problem.motor, variable.parameter) : variable.start;
-  v.scale = variable.log ? optim::Scale::log : optim::Scale::linear;
+  v.scale = variable.scale;
   v.integer = row.integer;
   v.lowest = row.min;
   v.highest = row.max;
@@ -99,8 +99,7 @@ DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximi
 
 DesignProblem& DesignProblem::vary(Parameter parameter, double min, double max, optim::Scale scale,
                                    std::optional<double> start) {
-  variables.push_back(
-      {parameter, min, max, scale == optim::Scale::log, start.value_or(DesignVariable{}.start)});
+  variables.push_back({parameter, min, max, scale, start.value_or(DesignVariable{}.start)});
   return *this;
 }
 

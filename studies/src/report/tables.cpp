@@ -65,29 +65,6 @@ void add_units_in(const Json& json, std::set<std::string>& units) {
   }
 }
 
-const char* argument_word(Argument argument) {
-  switch (argument) {
-    case Argument::none: return "none";
-    case Argument::speed: return "speed";
-    case Argument::torque: return "torque";
-    case Argument::both: return "both";
-    case Argument::angle: return "angle";
-    case Argument::periods: return "periods";
-    case Argument::either:
-    case Argument::speed_or_torque: return "speed or torque";
-  }
-  return "none";
-}
-
-const char* word_of(stator::InnerEdge edge) {
-  switch (edge) {
-    case stator::InnerEdge::free: return "free";
-    case stator::InnerEdge::clamped: return "clamped";
-    case stator::InnerEdge::supported: return "supported";
-  }
-  return "free";
-}
-
 // Whether a motor file of the design would state the parameter, including the parameters of a wide contact if there
 // is one slice.
 bool stated(const MotorDesign& design, const MotorDesign& wide, Parameter parameter) {
@@ -166,7 +143,7 @@ Json metrics_json(std::string_view text) {
     json[std::string(row.name)] = only_true(
         {{"unit", row.unit},
          {"text", row.text},
-         {"argument", argument_word(row.argument)},
+         {"argument", to_string(row.argument)},
          {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
          {"modes", row.needs_modes},
          {"geometry", row.needs_geometry},
@@ -232,12 +209,13 @@ Json stated_motor_json(const std::string& name, const MotorDesign& design) {
   const Stator& stator = design.stator;
   Json table = Json::array();
   for (const auto& [radius, shape] : stator.radial_shape.table) table.push_back({radius, shape});
-  return {{"name", name},
-          {"values", std::move(values)},
-          {"branch", stator.branch == Branch::dead ? "dead" : "running"},
-          {"inner_edge", stator.geometry ? Json(word_of(stator.geometry->support)) : Json(nullptr)},
-          {"table", std::move(table)},
-          {"besides", kept_json(name, design)}};
+  return {
+      {"name", name},
+      {"values", std::move(values)},
+      {"branch", stator.branch == Branch::dead ? "dead" : "running"},
+      {"inner_edge", stator.geometry ? Json(to_string(stator.geometry->support)) : Json(nullptr)},
+      {"table", std::move(table)},
+      {"besides", kept_json(name, design)}};
 }
 
 }  // namespace twum::studies

@@ -134,8 +134,8 @@ bool CalibrateResult::of_use(const Estimate& e) {
   const bool one_sign = e.low > 0 || e.high < 0;
   const double ratio = std::max(e.high / e.low, e.low / e.high);
   if (one_sign && ratio <= kFactor) return true;
-  return e.log ? std::log(e.high / e.low) <= kPart * std::log(e.max / e.min)
-               : e.high - e.low <= kPart * (e.max - e.min);
+  return e.scale == optim::Scale::log ? std::log(e.high / e.low) <= kPart * std::log(e.max / e.min)
+                                      : e.high - e.low <= kPart * (e.max - e.min);
 }
 
 bool CalibrateResult::determined() const {

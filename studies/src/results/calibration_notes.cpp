@@ -332,7 +332,8 @@ const char* end_word(Bound bound) { return bound == Bound::min ? "min" : "max"; 
 bool wider_than_range(const CalibrateResult::Estimate& e) {
   if (e.bound != Bound::none || !std::isfinite(e.low)) return false;
   if (e.low_cut && e.high_cut) return true;
-  return e.log ? e.high / e.low > e.max / e.min : e.high - e.low > e.max - e.min;
+  return e.scale == optim::Scale::log ? e.high / e.low > e.max / e.min
+                                      : e.high - e.low > e.max - e.min;
 }
 
 std::vector<std::string> calibration_notes(const CalibrateResult& result) {

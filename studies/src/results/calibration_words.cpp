@@ -90,4 +90,13 @@ std::string offset_words(const CalibrateResult::ColumnOffset& offset) {
          (offset.offset > 0 ? "large" : "small");
 }
 
+const char* to_string(CalibrateResult::Bound value) noexcept {
+  switch (value) {
+    case CalibrateResult::Bound::none: return "none";
+    case CalibrateResult::Bound::min: return "min";
+    case CalibrateResult::Bound::max: return "max";
+  }
+  return "unknown";
+}
+
 }  // namespace twum::studies

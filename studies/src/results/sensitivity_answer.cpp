@@ -45,7 +45,7 @@ Json effects_json(const SensitivityResult& result, const MetricSensitivity& metr
 
 Json metric_json(const SensitivityResult& result, const MetricSensitivity& metric) {
   Json json = Json::object();
-  if (result.method == "local") {
+  if (result.method == SensitivityMethod::local) {
     json["value"] = number_json(metric.value);
     json["smoothness"] = to_string(metric.smoothness);
     if (result.tolerances) json["sd"] = number_json(metric.sd);
@@ -62,9 +62,9 @@ Json metric_json(const SensitivityResult& result, const MetricSensitivity& metri
 }  // namespace
 
 Json answer_json(const SensitivityResult& result) {
-  Json json{{"method", result.method}};
+  Json json{{"method", to_string(result.method)}};
   if (result.tolerances) json["tolerances"] = true;
-  if (result.method != "local") {
+  if (result.method != SensitivityMethod::local) {
     json["confidence"] = result.confidence;
     json["samples"] = result.samples;
   }

@@ -42,6 +42,18 @@ std::optional<double> time_to(const MovedMotor& motor, double speed) {
   return {};
 }
 
+// Change of the speed over the last tenth of the time to a sample, in parts of the speed there.
+double last_change(const MovedMotor& motor, const MotionSample& at) {
+  const auto& samples = motor.motion.samples;
+  const auto before =
+      std::ranges::lower_bound(samples, 0.9 * at.time, {}, [](const auto& s) { return s.time; });
+  return before == samples.end() || at.speed == 0 ? 0 : 1 - before->speed / at.speed;
+}
+
+// A speed that no encoder resolves: a turn takes a week.
+constexpr double kResting = 1e-5;  // [rad/s]
+constexpr double kSettled = 0.02;  // share of the speed
+
 bool runs(const MovedMotor& motor) {
   return settled(motor).larger_wave() > 3 * motor.opening_amplitude;
 }
@@ -67,7 +79,17 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
                     value_part(at.speed, "rad/s", 3), "."});
     return phrase;
   }
+  if (std::abs(at.speed) < kResting) {
+    append(phrase, {bad("does not turn"), ": its wave is ", value_part(at.larger_wave(), "m", 3),
+                    " after ", time_part(at.time), "."});
+    return phrase;
+  }
   append(phrase, {"turns at ", strong(value_part(at.speed, "rad/s"))});
+  if (const double change = last_change(motor, at); std::abs(change) > kSettled) {
+    append(phrase, {" after ", time_part(at.time), " and is still getting ",
+                    change > 0 ? "faster." : "slower."});
+    return phrase;
+  }
   if (const auto reached = time_to(motor, 0.9 * std::abs(at.speed)))
     append(phrase, {"; it has 90 % of that after ", strong(time_part(*reached))});
   append(phrase, {"."});
@@ -109,7 +131,8 @@ Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) 
                          ": " + reason_of(motor.motion.status) + "."});
   const bool moves = answer.goal || runs(motor);
   sentences.push_back(answer.goal ? goal_sentence(answer, motor) : running_sentence(answer, motor));
-  if (complete && motor.off_at && !answer.goal && runs(motor))
+  if (complete && motor.off_at && !answer.goal && runs(motor) &&
+      std::abs(settled(motor).speed) >= kResting)
     sentences.push_back(stopping_sentence(motor));
   return {complete && moves ? Headline::Look::plain : Headline::Look::bad,
           "",

@@ -46,7 +46,7 @@ class MetricSection {
     section_.heading = {name_part(metric.metric.name)};
     section_.wide = false;
     section_.folded = true;
-    if (answer.method == "local" && std::isfinite(metric.value))
+    if (answer.method == SensitivityMethod::local && std::isfinite(metric.value))
       append(section_.heading, {": ", value_part(metric.value, unit_)});
     else if (std::isfinite(metric.value))
       section_.sentences.push_back(spread());
@@ -255,7 +255,7 @@ class MetricSection {
 Section method_section(const SensitivityResult& answer) {
   Section section{{"How the effects were computed"}};
   const Phrase level{"; intervals of ", share_part(answer.confidence, 3), "."};
-  if (answer.method == "local") {
+  if (answer.method == SensitivityMethod::local) {
     section.sentences = {{"Derivatives at the motor."}};
     for (const StoredColumn& variable : answer.variables)
       if (const auto p = find_parameter(variable.name); p && info(*p).integer)
@@ -266,7 +266,7 @@ Section method_section(const SensitivityResult& answer) {
   }
   const std::string count = std::to_string(answer.samples);
   section.sentences = {
-      {answer.method == "morris"
+      {answer.method == SensitivityMethod::morris
            ? "Elementary effects across the ranges (Morris), " + count + " trajectories"
            : std::string("Shares of the variance ") +
                  (answer.tolerances ? "by the tolerances, which are independent " : "") +

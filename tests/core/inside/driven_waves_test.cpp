@@ -90,8 +90,9 @@ TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9, 
       if (point.solved.status != PointStatus::ok) continue;
       double nearest = 1;
       for (const WaveSolution& s : drive.solutions(speed))
-        nearest = std::fmin(nearest, std::fabs(s.wave().amplitude / point.motor.amplitude - 1));
-      CAPTURE(i, speed, point.motor.amplitude);
+        nearest =
+            std::fmin(nearest, std::fabs(s.wave().amplitude / point.motor.mean.amplitude - 1));
+      CAPTURE(i, speed, point.motor.mean.amplitude);
       // Both searches end within rounding of H, which its slope makes 1e-12 or less of the amplitude away from folds.
       CHECK(nearest <= 1e-10);
       ++points;

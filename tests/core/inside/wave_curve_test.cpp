@@ -46,10 +46,10 @@ void no_wave_is_missed(int motors, int speeds, int slices) {
       const double scanned = largest_driving(waves, speed);
       if (scanned == 0) continue;
       const MotorPoint point = drive.at(speed);
-      CAPTURE(i, speed, scanned, point.motor.amplitude);
+      CAPTURE(i, speed, scanned, point.motor.mean.amplitude);
       // The scan finds an amplitude to 1 %.
       CHECK(point.solved.status == PointStatus::ok);
-      CHECK(point.motor.amplitude >= 0.98 * scanned);
+      CHECK(point.motor.mean.amplitude >= 0.98 * scanned);
       ++driving;
     }
   }

@@ -73,11 +73,11 @@ TEST_CASE("the pressure's force grows with the amplitude as (C20.1) says",
     MotorDesign design;
     design.preload = 10'000 * load;
     const DrivenMotor<ModelDual> m = differentiated_motor<ModelDual>(design);
-    REQUIRE(!m.contact.full);
-    const double angle = m.contact.half_angle.v, sine = std::sin(angle);
+    REQUIRE(!m.mean.contact.full);
+    const double angle = m.mean.contact.half_angle.v, sine = std::sin(angle);
     const double full = m.r.v * m.b.v * m.youngs.v / m.thickness.v;  // K_c / pi
     // Both sides are differences that fall with theta_L^5 of terms of order one.
-    CHECK(std::fabs(m.pressure_force.d[amplitude] -
+    CHECK(std::fabs(m.mean.pressure_force.d[amplitude] -
                     full * (angle + sine * std::cos(angle) - 2 * sine * sine / angle)) <=
           1e-14 * full / angle);
   }
@@ -94,7 +94,7 @@ TEST_CASE("the reactive force has the derivatives of its differences",
   for (const MotorDesign& design : {MotorDesign{}, full_contact()}) {
     const ModelArray<double> p = model_values(design);
     const DrivenMotor<double> m = driven(motor_model(p), design_wave(p));
-    const double speed = 0.9 * m.crest_velocity / m.r;
+    const double speed = 0.9 * m.mean.crest_velocity / m.r;
     const PointNumbers<ModelDual> n = solve_point(m, speed).differentiated(
         differentiated_motor<ModelDual>(design), speed_variable<ModelDual>(speed));
     const MotorDesign given = [&] {  // G, gamma and m outright: the model's own parameters

@@ -59,8 +59,9 @@ const CalibrateResult& result_of(const KindAnswer& answer) {
 }  // namespace
 
 TEST_CASE("whole numbers take equal shares of the unit box", "[studies][sensitivity]") {
-  const UnitBox box(
-      {{P::wavelengths, 8, 10}, {P::preload, 100, 200}, {P::thickness, 1e-4, 1e-2, true}});
+  const UnitBox box({{P::wavelengths, 8, 10},
+                     {P::preload, 100, 200},
+                     {P::thickness, 1e-4, 1e-2, optim::Scale::log}});
   CHECK(box.parameters() == std::vector<P>{P::wavelengths, P::preload, P::thickness});
   const auto waves = [&](double u) { return box.values(std::vector<double>{u, 0.5, 0.5})[0]; };
   // 8, 9 and 10 have a third each; the end belongs to 10.
@@ -81,7 +82,7 @@ TEST_CASE("a whole number's coordinate is that of its value", "[studies][sensiti
   CHECK(linear.coordinates(std::vector<double>{0.1, 0.0}) == std::vector<double>{0.0, 0.0});
   CHECK(linear.coordinates(std::vector<double>{0.9, 1.0}) == std::vector<double>{1.0, 1.0});
   // On a logarithmic scale from 2 to 8 the number 4 lies in the middle.
-  const UnitBox logarithmic({{P::wavelengths, 2, 8, true}});
+  const UnitBox logarithmic({{P::wavelengths, 2, 8, optim::Scale::log}});
   // The number 4 has the share from log(4/2) to log(5/2) of log(9/2): 0.461 to 0.609.
   CHECK(logarithmic.coordinates(std::vector<double>{0.55})[0] == Approx(0.5).epsilon(1e-14));
   CHECK(logarithmic.coordinates(std::vector<double>{0.45})[0] ==
@@ -90,8 +91,9 @@ TEST_CASE("a whole number's coordinate is that of its value", "[studies][sensiti
 
 TEST_CASE("the slope of a variable by its coordinate is its range, or that of its logarithm",
           "[studies][sensitivity]") {
-  const UnitBox box(
-      {{P::wavelengths, 8, 10}, {P::preload, 100, 250}, {P::thickness, 1e-4, 1e-2, true}});
+  const UnitBox box({{P::wavelengths, 8, 10},
+                     {P::preload, 100, 250},
+                     {P::thickness, 1e-4, 1e-2, optim::Scale::log}});
   CHECK(std::isnan(box.slope(0, 9)));  // whole numbers have none
   CHECK(box.slope(1, 120) == 150);
   CHECK(box.slope(2, 3e-4) == Approx(3e-4 * std::log(100.0)).epsilon(1e-14));
@@ -163,7 +165,7 @@ TEST_CASE("a fit begins where the study says, else at the motor if that is in th
   const std::vector<DesignVariable> ranges{{P::kinetic_friction, 0.1, 0.5},  // the motor has 0.2
                                            {P::preload, 200, 300},           // 160 N
                                            {P::amplitude, 1e-7, 1e-6},       // 1.6 um
-                                           {P::thickness, 1e-4, 1e-3, true, 5e-4}};
+                                           {P::thickness, 1e-4, 1e-3, optim::Scale::log, 5e-4}};
   const MeasuredFit fit(elastic(), {ranges.begin(), ranges.end()}, two_points(0.8, 0.8));
   const auto own = fit.variables({});
   CHECK(own[0].start == 0.2);

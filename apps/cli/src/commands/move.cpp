@@ -35,7 +35,8 @@ studies::MotionStudy asked_by(const MoveOptions& options) {
   if (!options.frequency.empty())
     asked.drive.frequency = parse_frequency("--frequency", options.frequency);
   if (!options.torque.empty()) asked.load.torque = parse_torque("--torque", options.torque);
-  if (options.engine == "oscillating") asked.engine = motion::MotionEngine::oscillating;
+  if (options.engine == to_string(motion::MotionEngine::oscillating))
+    asked.engine = motion::MotionEngine::oscillating;
   if (!options.inertia.empty()) asked.load.inertia = parse_inertia("--inertia", options.inertia);
   return asked;
 }
@@ -67,7 +68,8 @@ void add_move(CLI::App& app, Action& action) {
       ->add_option("--engine", options->engine,
                    "averaged: one wave; oscillating: every vibration of two waves, slower "
                    "(default: averaged)")
-      ->check(one_of({"averaged", "oscillating"}))
+      ->check(one_of({to_string(motion::MotionEngine::averaged),
+                      to_string(motion::MotionEngine::oscillating)}))
       ->type_name("ENGINE");
   command->footer(kMoveExamples);
   command->callback([options, &action] {

@@ -32,6 +32,8 @@ struct PartTemperatures {
 
 /// A part of the motor with a temperature, in the order of PartTemperatures.
 enum class Part : unsigned char { stator, rotor, housing, contact, lining };
+/// Its name; static lifetime.
+const char* to_string(Part value) noexcept;
 /// How many parts there are.
 inline constexpr std::size_t kParts = 5;
 

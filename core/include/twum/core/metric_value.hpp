@@ -120,6 +120,8 @@ enum class Argument : unsigned char {
   speed_or_torque,  ///< a speed, a torque, or both; only in the table, never in a request
   either            ///< a speed or a torque, not both; likewise
 };
+/// As in the table of metrics; static lifetime.
+const char* to_string(Argument value) noexcept;
 
 /// Whether a metric has a value.
 enum class MetricStatus : unsigned char {

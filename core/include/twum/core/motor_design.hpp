@@ -58,6 +58,8 @@ enum class Branch : unsigned char {
   running,  ///< the large one, that of a running motor
   dead      ///< the small one of a stator that the rotor clamps, so that the motor does not start
 };
+/// As in a motor file; static lifetime.
+const char* to_string(Branch value) noexcept;
 
 /// What a drive changes so that the motor carries a torque at a speed.
 enum class DriveControl : unsigned char {
@@ -65,6 +67,8 @@ enum class DriveControl : unsigned char {
   voltage,    ///< the voltage, at the frequency of the design
   amplitude   ///< the wave's amplitude: of a motor without a voltage
 };
+/// As in a motor file; static lifetime.
+const char* to_string(DriveControl value) noexcept;
 
 /// The solved plate of a stator that is given by its geometry, shared by copies: see keep_plate(). It follows from the other
 /// members, so it does not count in comparisons, and counts for nothing where these have changed.

@@ -14,6 +14,8 @@ namespace twum::motion {
 
 /// What a loop changes at the drive.
 enum class Actuator : unsigned char { frequency, voltage };
+/// As in a study file; static lifetime.
+const char* to_string(Actuator value) noexcept;
 
 /// Gains of a PI controller of the speed. Its output is a frequency [Hz] or a voltage, rms [V].
 struct LoopGains {

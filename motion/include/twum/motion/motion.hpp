@@ -19,6 +19,8 @@ enum class MotionEngine : unsigned char {
   averaged,    ///< one wave, averaged over each vibration
   oscillating  ///< both modes, the rotor and the points of its face in each vibration
 };
+/// As in a study file; static lifetime.
+const char* to_string(MotionEngine value) noexcept;
 
 /// From one time to another [s].
 struct Interval {

@@ -10,6 +10,8 @@ namespace twum::optim {
 
 /// Which end of an interval.
 enum class IntervalEnd : unsigned char { low, high };
+/// "low" or "high"; static lifetime.
+const char* to_string(IntervalEnd value) noexcept;
 
 /// A point of a profile: z^2 is the rise of the least sum of squares in parts of that at the end of the interval (L3.1).
 struct ProfilePoint {

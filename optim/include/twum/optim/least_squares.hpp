@@ -38,6 +38,8 @@ enum class Loss : unsigned char {
   squares,  ///< by their squares
   huber  ///< beyond 1.345 standard deviations by their size, so that a few that are far off move the fit little
 };
+/// As in a study; static lifetime.
+const char* to_string(Loss value) noexcept;
 
 /// What groups of residuals with a scatter of their own make of the interval of one parameter (L9.2, L9.3).
 struct SmallSample {

@@ -8,7 +8,7 @@
 
 namespace twum::optim {
 
-/// The sets of parameters that count only together about a fit, too. The Jacobian of a fit may lack rank at the least sum of
+/// Sets of parameters that stay indistinguishable in a neighbourhood of the fit, not only at the fit itself. The Jacobian of a fit may lack rank at the least sum of
 /// squares alone, as that of p^2 does at 0. There the data determine every parameter, and profile_end() finds its
 /// interval. This compares the rank with that at two places beside the fit, which differ from it by a few thousandths of the
 /// ranges (of the values where a range is infinite) in every free parameter.

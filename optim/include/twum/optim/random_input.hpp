@@ -17,6 +17,8 @@ enum class Law : std::uint8_t {
   triangular,
   given  ///< by RandomInput::transform, whatever the design's value
 };
+/// Its name; static lifetime.
+const char* to_string(Law value) noexcept;
 
 /// Value of an input in a built product, and its derivatives, U1.5, U1.7.
 struct BuiltValue {

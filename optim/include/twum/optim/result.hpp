@@ -20,6 +20,8 @@ const char* to_string(Outcome outcome);
 
 /// Why the last solver stopped.
 enum class StopReason : std::uint8_t { finished, evaluations, seconds, requested };
+/// Its name; static lifetime.
+const char* to_string(StopReason value) noexcept;
 
 /// Evaluations of a search.
 struct Counters {

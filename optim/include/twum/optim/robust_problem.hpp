@@ -28,6 +28,8 @@ struct YieldTarget {
 
 /// Statistic of the distribution of a response.
 enum class Statistic : std::uint8_t { mean, sd, quantile };
+/// As in a study; static lifetime.
+const char* to_string(Statistic value) noexcept;
 
 /// A statistic of a response that has to stay between two ends, or is the goal.
 struct StatisticTarget {
@@ -45,6 +47,8 @@ enum class RobustGoal : std::uint8_t {
   yield,     ///< the largest share of a yield target
   statistic  ///< a statistic; for a standard deviation the variance is optimized
 };
+/// Its name; static lifetime.
+const char* to_string(RobustGoal value) noexcept;
 
 /// Goal of a robust search.
 struct RobustObjective {

@@ -22,6 +22,8 @@ namespace twum::studies {
 struct CalibrateResult {
   /// End of its range that holds a parameter.
   enum class Bound : unsigned char { none, min, max };
+  /// "none", "min" or "max"; static lifetime.
+  friend const char* to_string(Bound value) noexcept;
 
   /// What a free parameter does when the end of a range that holds another one moves.
   struct Follower {
@@ -45,8 +47,8 @@ struct CalibrateResult {
     Bound bound{Bound::none};  ///< end of the range where the estimate lies: it has no interval
     double min{0};             ///< range that was searched
     double max{0};             ///< its upper end
-    bool log{false};           ///< searched in the logarithm
-    std::vector<Follower> followers;  ///< if at a bound: changes of the free parameters
+    optim::Scale scale{optim::Scale::linear};  ///< in whose logarithm it was searched
+    std::vector<Follower> followers;           ///< if at a bound: changes of the free parameters
     std::string file{};  ///< table of measurements that it belongs to; empty: all tables
     /// of the sum of squares (L3.1), the estimate among them; empty: not made
     std::vector<optim::ProfilePoint> profile{};

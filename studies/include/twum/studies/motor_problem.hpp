@@ -24,7 +24,7 @@ struct DesignVariable {
   Parameter parameter{};                                   ///< which one
   double min{0};                                           ///< admissible, SI
   double max{1};                                           ///< admissible, SI, >= min
-  bool log{false};                                         ///< logarithmic scale; min > 0
+  optim::Scale scale{optim::Scale::linear};                ///< logarithmic where min > 0
   double start{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: the motor's own value
 };
 

@@ -6,6 +6,7 @@
 #include <twum/studies/elementary_effects.hpp>
 #include <twum/studies/estimate.hpp>
 #include <twum/studies/sobol_indices.hpp>
+#include <twum/studies/study.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,7 @@ struct MetricSensitivity {
 
 /// Answer of a sensitivity study.
 struct SensitivityResult {
-  std::string method;        ///< "local", "morris" or "sobol"
+  SensitivityMethod method{};  ///< that was asked for
   double confidence{0.95};   ///< level of all intervals
   bool tolerances{false};    ///< over the laws of tolerances in place of ranges
   std::uint64_t samples{0};  ///< blocks (sobol) or trajectories (morris) evaluated in full

@@ -50,6 +50,8 @@ struct CurveStudy {
 
 /// Which way a frequency is swept.
 enum class SweepDirection : unsigned char { up, down, both };
+/// As in a study file; static lifetime.
+const char* to_string(SweepDirection value) noexcept;
 
 /// Slow sweeps of the drive's frequency, of one motor under a voltage or of a family over one parameter.
 struct FrequencyStudy {
@@ -233,7 +235,7 @@ struct MotionStudy {
 enum class Sampling : unsigned char { grid, list, lhs, sobol };
 
 /// As in `sampling:`; static lifetime.
-std::string_view to_string(Sampling sampling);
+const char* to_string(Sampling value) noexcept;
 
 /// The metrics of a grid, list or sample of designs.
 struct SweepStudy {
@@ -244,12 +246,12 @@ struct SweepStudy {
 
   /// The values of one parameter: a list or a range.
   struct Variable {
-    Parameter parameter{};         ///< which one
-    std::vector<double> values{};  ///< SI; empty: the range is used
-    double min{0};                 ///< SI
-    double max{0};                 ///< SI
-    std::uint64_t points{5};       ///< of a grid, both ends included
-    bool log{false};               ///< logarithmic scale; min > 0
+    Parameter parameter{};                     ///< which one
+    std::vector<double> values{};              ///< SI; empty: the range is used
+    double min{0};                             ///< SI
+    double max{0};                             ///< SI
+    std::uint64_t points{5};                   ///< of a grid, both ends included
+    optim::Scale scale{optim::Scale::linear};  ///< logarithmic where min > 0
   };
   std::vector<Variable> variables{};        ///< at least one
   std::vector<DerivedParameter> derived{};  ///< what follows from the variables
@@ -261,6 +263,8 @@ struct SweepStudy {
 
 /// Methods of sensitivity studies.
 enum class SensitivityMethod : unsigned char { local, morris, sobol };
+/// As in a study file; static lifetime.
+const char* to_string(SensitivityMethod value) noexcept;
 
 /// The influence of parameters on metrics.
 struct SensitivityStudy {
@@ -357,6 +361,8 @@ enum class DrawMethod : unsigned char {
   plain,      ///< by their tolerances
   importance  ///< about the points where they are most likely to fail, and weighted
 };
+/// As in a study file; static lifetime.
+const char* to_string(DrawMethod value) noexcept;
 
 /// Spread and yield under tolerances.
 struct UncertaintyStudy {
@@ -382,13 +388,19 @@ struct UncertaintyStudy {
 
 /// Solver of a calibration, in the order of optim::least_squares_solvers().
 enum class FitSolver : unsigned char { own, gsl };
+/// As in a study file; static lifetime.
+const char* to_string(FitSolver value) noexcept;
 
 /// Loss function of a calibration.
 enum class FitLoss : unsigned char { squares, huber };
+/// As in a study file; static lifetime.
+const char* to_string(FitLoss value) noexcept;
 
 /// Source of the scatter behind the intervals of a calibration: the residuals of all data, the standard deviations in
 /// the data, or the residuals of each column of each table.
 enum class Scatter : unsigned char { estimated, stated, by_column };
+/// As in a study file; static lifetime.
+const char* to_string(Scatter value) noexcept;
 
 /// Parameters from measurements.
 struct CalibrateStudy {

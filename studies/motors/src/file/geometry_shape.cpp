@@ -55,10 +55,12 @@ const YamlNode& nearest_node(const YamlNode& motor, std::string_view entry) {
 }  // namespace
 
 Field<GivenMotor> support_field() {
-  auto edge = required<GivenMotor>("inner_edge",
-                                   word<stator::InnerEdge>("what holds the inner edge of the plate",
-                                                           {"free", "clamped", "supported"}),
-                                   &GivenMotor::inner_edge);
+  auto edge = required<GivenMotor>(
+      "inner_edge",
+      word<stator::InnerEdge>(
+          "what holds the inner edge of the plate",
+          {stator::InnerEdge::free, stator::InnerEdge::clamped, stator::InnerEdge::supported}),
+      &GivenMotor::inner_edge);
   return section<GivenMotor>("support", "what holds the plate", {std::move(edge)});
 }
 

@@ -165,17 +165,18 @@ void check_solid(const GivenMotor& motor, const MotorDesign& design, const Given
 }
 
 Field<GivenMotor> branch_field() {
-  return hidden(optional<GivenMotor>(
-      "branch",
-      word<Branch>("which stable wave of a motor under a voltage is meant", {"running", "dead"}),
-      &GivenMotor::branch, "running"));
+  return hidden(
+      optional<GivenMotor>("branch",
+                           word<Branch>("which stable wave of a motor under a voltage is meant",
+                                        {Branch::running, Branch::dead}),
+                           &GivenMotor::branch, "running"));
 }
 
 Field<GivenMotor> control_field() {
   return hidden(
       optional<GivenMotor>("control",
                            word<DriveControl>("what follows where a torque is held at a speed",
-                                              {"frequency", "voltage"}),
+                                              {DriveControl::frequency, DriveControl::voltage}),
                            &GivenMotor::control, "frequency"));
 }
 

@@ -68,7 +68,9 @@ Field<SolidData> drawing_field() {
     if (is_drawing(row)) fields.push_back(value_field(row, &SolidData::drawing, false));
   fields.push_back(required<SolidData>(
       "inner_edge",
-      word<stator::InnerEdge>("what holds the inner edge", {"free", "clamped", "supported"}),
+      word<stator::InnerEdge>(
+          "what holds the inner edge",
+          {stator::InnerEdge::free, stator::InnerEdge::clamped, stator::InnerEdge::supported}),
       &SolidData::inner_edge));
   return section<SolidData>("drawing", "the stator that was solved", fields);
 }
@@ -92,15 +94,6 @@ const Shape<SolidData>& solid_file_shape() {
 
 std::string shown(const std::optional<double>& value, const ParameterInfo& row) {
   return value ? engineering(*value, row.unit, 6) : "left out";
-}
-
-const char* word_of(stator::InnerEdge edge) {
-  switch (edge) {
-    case stator::InnerEdge::free: return "free";
-    case stator::InnerEdge::clamped: return "clamped";
-    case stator::InnerEdge::supported: break;
-  }
-  return "supported";
 }
 
 bool same(const std::optional<double>& a, const std::optional<double>& b) {
@@ -148,8 +141,8 @@ std::vector<std::string> changes_since(const SolidData& data, const MotorDesign&
   }
   const stator::InnerEdge edge = design.stator.geometry->support;
   if (edge != data.inner_edge)
-    changes.push_back(std::string("inner_edge is ") + word_of(edge) + ", but was " +
-                      word_of(data.inner_edge));
+    changes.push_back(std::string("inner_edge is ") + stator::to_string(edge) + ", but was " +
+                      stator::to_string(data.inner_edge));
   return changes;
 }
 

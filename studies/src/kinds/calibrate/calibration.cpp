@@ -181,7 +181,8 @@ class Calibration {
                            CalibrateResult::Estimate& e) {
     if (!found.low || !found.high) return;
     const double b = e.parameter.value;
-    const double half_width = e.log ? b * std::log(linear_high / b) : linear_high - b;
+    const double half_width =
+        e.scale == optim::Scale::log ? b * std::log(linear_high / b) : linear_high - b;
     e.low = found.low->value;
     e.high = found.high->value;
     e.profiled = !found.low->linear || !found.high->linear;
@@ -251,7 +252,7 @@ class Calibration {
       estimate.high = e.high;
       estimate.min = range.min;
       estimate.max = range.max;
-      estimate.log = range.log;
+      estimate.scale = range.scale;
       cut_off(estimate);
       if (e.at_bound)
         estimate.bound = e.value - range.min < range.max - e.value ? CalibrateResult::Bound::min
@@ -305,7 +306,9 @@ class Calibration {
     bool found = false;
     for (std::size_t j = 0; j < n; ++j) {
       const CalibrateResult::Estimate& e = result_.estimates[j];
-      const double range = e.log ? e.parameter.value * std::log(e.max / e.min) : e.max - e.min;
+      const double range = e.scale == optim::Scale::log
+                               ? e.parameter.value * std::log(e.max / e.min)
+                               : e.max - e.min;
       if (!(best.estimates[j].standard_deviation > kFar * range)) continue;
       found = true;
       for (std::size_t k = 0; k < n; ++k)

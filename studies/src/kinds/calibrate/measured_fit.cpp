@@ -39,11 +39,12 @@ std::string FitParameter::name() const {
 }
 
 double FitParameter::part(double a, double b) const {
-  return log ? std::log(b / a) / std::log(max / min) : (b - a) / (max - min);
+  return scale == optim::Scale::log ? std::log(b / a) / std::log(max / min) : (b - a) / (max - min);
 }
 
 double FitParameter::between(double a, double b, double share) const {
-  const double value = log ? a * std::pow(b / a, share) : std::lerp(a, b, share);
+  const double value =
+      scale == optim::Scale::log ? a * std::pow(b / a, share) : std::lerp(a, b, share);
   return std::clamp(value, min, max);
 }
 
@@ -268,8 +269,7 @@ std::vector<optim::Variable> MeasuredFit::variables(std::span<const double> star
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     const FitParameter& range = parameters_[j];
     const double own = get(motor_, range.parameter);
-    optim::Variable variable{range.name(), range.min, range.max, range.start,
-                             range.log ? optim::Scale::log : optim::Scale::linear};
+    optim::Variable variable{range.name(), range.min, range.max, range.start, range.scale};
     if (!start.empty())
       variable.start = start[j];
     else if (std::isnan(range.start) && own >= range.min && own <= range.max)

@@ -111,8 +111,9 @@ class Planner {
     std::vector<double> scaled;
     for (std::size_t j = 0; j < values_.size(); ++j) {
       const DesignVariable& range = fit_.parameters()[j];
-      scaled.push_back(slope[j] * (range.log ? values_[j] * std::log(range.max / range.min)
-                                             : range.max - range.min));
+      scaled.push_back(slope[j] * (range.scale == optim::Scale::log
+                                       ? values_[j] * std::log(range.max / range.min)
+                                       : range.max - range.min));
     }
     return scaled;
   }

@@ -76,7 +76,7 @@ class PlanRun final : public StudyKindRun {
     estimate.parameter = {std::string(row.name), std::string(row.unit), value};
     estimate.low = estimate.min = range.min;
     estimate.high = estimate.max = range.max;
-    estimate.log = range.log;
+    estimate.scale = range.scale;
     estimate.low_cut = estimate.high_cut = true;
     return estimate;
   }

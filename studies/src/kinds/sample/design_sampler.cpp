@@ -12,7 +12,7 @@ namespace twum::studies {
 double DesignSampler::Axis::at(std::uint64_t point) const {
   if (!values.empty()) return values[point];
   const double t = points > 1 ? static_cast<double>(point) / static_cast<double>(points - 1) : 0.0;
-  const double value = between(min, max, t, log);
+  const double value = between(min, max, t, scale);
   return whole ? std::round(value) : value;
 }
 
@@ -23,13 +23,13 @@ double DesignSampler::Axis::share(double u) const {
     const auto k = static_cast<std::size_t>(u * static_cast<double>(values.size()));
     return values[std::min(k, values.size() - 1)];
   }
-  if (!whole) return between(min, max, u, log);
-  return std::clamp(std::floor(between(min, max + 1, u, log)), min, max);
+  if (!whole) return between(min, max, u, scale);
+  return std::clamp(std::floor(between(min, max + 1, u, scale)), min, max);
 }
 
 DesignSampler::Axis DesignSampler::axis_of(const SweepStudy::Variable& variable) {
-  return {variable.values, variable.min, variable.max,
-          variable.points, variable.log, info(variable.parameter).integer};
+  return {variable.values, variable.min,   variable.max,
+          variable.points, variable.scale, info(variable.parameter).integer};
 }
 
 DesignSampler::DesignSampler(const SweepStudy& study) : sampling_(study.sampling) {

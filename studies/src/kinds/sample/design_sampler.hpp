@@ -38,7 +38,7 @@ class DesignSampler {
     double min{0};
     double max{0};
     std::uint64_t points{0};
-    bool log{false};
+    optim::Scale scale{optim::Scale::linear};
     bool whole{false};
 
     std::uint64_t size() const { return values.empty() ? points : values.size(); }

@@ -30,7 +30,7 @@ class LocalSensitivity : public SensitivityRun {
 
   KindAnswer run(RunContext& context) override {
     const bool complete = store_rows(context, 0, 1);
-    SensitivityResult result = frame("local");
+    SensitivityResult result = frame(SensitivityMethod::local);
     result.motor = motor_;
     context.store.read(0, [&](const StoredRow& row) { answer(row, result); });
     for (MetricSensitivity& metric : result.metrics) {

@@ -67,7 +67,7 @@ class MorrisSensitivity : public SensitivityRun {
       }
       points.clear();
     });
-    SensitivityResult result = frame("morris");
+    SensitivityResult result = frame(SensitivityMethod::morris);
     for (std::size_t i = 0; i < metrics_.size(); ++i) {
       MetricSensitivity& metric = result.metrics[i];
       metric.samples = effects[i].trajectories();

@@ -17,7 +17,7 @@ SensitivityRun::SensitivityRun(const SensitivityStudy& asked, const MotorDesign&
       confidence_(asked.confidence),
       notes_(shapes::tolerance_notes(asked.tolerances, motor)) {}
 
-SensitivityResult SensitivityRun::frame(const char* method) const {
+SensitivityResult SensitivityRun::frame(SensitivityMethod method) const {
   SensitivityResult result;
   result.method = method;
   result.confidence = confidence_;

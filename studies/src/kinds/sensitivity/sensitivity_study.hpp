@@ -19,7 +19,7 @@ class SensitivityRun : public StudyKindRun {
   SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor);
 
   /// The answer without numbers.
-  SensitivityResult frame(const char* method) const;
+  SensitivityResult frame(SensitivityMethod method) const;
   /// If too many samples of a metric failed, sets its note and returns true.
   static bool refused(MetricSensitivity& metric, const char* sample);
   /// "failed" if no metric has an answer because values are missing.

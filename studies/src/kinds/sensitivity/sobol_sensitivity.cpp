@@ -118,7 +118,7 @@ class SobolSensitivity : public SensitivityRun {
 
   SensitivityResult answer(const std::vector<SobolIndices>& indices,
                            const std::vector<Moments>& drawn) const {
-    SensitivityResult result = frame("sobol");
+    SensitivityResult result = frame(SensitivityMethod::sobol);
     result.width = width_;
     for (std::size_t i = 0; i < metrics_.size(); ++i) {
       MetricSensitivity& metric = result.metrics[i];

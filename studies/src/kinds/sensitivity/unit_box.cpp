@@ -14,13 +14,14 @@ namespace twum::studies {
 namespace {
 
 double value_at(const DesignVariable& range, double u) {
-  if (!info(range.parameter).integer) return between(range.min, range.max, u, range.log);
-  return std::clamp(std::floor(between(range.min, range.max + 1, u, range.log)), range.min,
+  if (!info(range.parameter).integer) return between(range.min, range.max, u, range.scale);
+  return std::clamp(std::floor(between(range.min, range.max + 1, u, range.scale)), range.min,
                     range.max);
 }
 
 double coordinate_of(const DesignVariable& range, double value) {
-  if (range.log) return std::log(value / range.min) / std::log(range.max / range.min);
+  if (range.scale == optim::Scale::log)
+    return std::log(value / range.min) / std::log(range.max / range.min);
   return (value - range.min) / (range.max - range.min);
 }
 
@@ -66,7 +67,8 @@ double UnitBox::slope(std::size_t variable, double value) const {
   if (of_tolerances())
     return std::numbers::pi *
            laws_[variable].of_normal(optim::normal_quantile(laws_[variable].cdf(value))).slope;
-  return range.log ? value * std::log(range.max / range.min) : range.max - range.min;
+  return range.scale == optim::Scale::log ? value * std::log(range.max / range.min)
+                                          : range.max - range.min;
 }
 
 double UnitBox::sd(std::size_t variable) const {

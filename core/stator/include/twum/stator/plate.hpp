@@ -22,6 +22,8 @@ enum class PlateTheory {
   /// equal to the slope of the deflection: no shear deformation; rotary inertia if the section has it
   kirchhoff,
 };
+/// Its name; static lifetime.
+const char* to_string(PlateTheory value) noexcept;
 
 /// What holds the inner edge. The outer edge is free.
 enum class InnerEdge {
@@ -29,6 +31,8 @@ enum class InnerEdge {
   clamped,    ///< neither deflection nor rotation
   supported,  ///< no deflection and, with Mindlin, no rotation about the radius
 };
+/// As in a motor file; static lifetime.
+const char* to_string(InnerEdge value) noexcept;
 
 /// One radial function in polynomial pieces.
 class RadialFunction {

@@ -28,6 +28,8 @@ enum class ModeIdentity {
   /// another mode with n nodal diameters has the same frequency to 1e-6: derivatives are NaN
   crossing,
 };
+/// Its name; static lifetime.
+const char* to_string(ModeIdentity value) noexcept;
 
 /// The two degenerate modes w = R(rho) cos(n phi), sin(n phi) that make the travelling wave, with the numbers that
 /// the drive needs. Derivatives are with respect to each Dimension; NaN if they were not requested.

@@ -158,6 +158,14 @@ Shape<E> word(std::string text, std::vector<std::string> words) {
       [](const E& value) { return static_cast<std::size_t>(value); });
 }
 
+/// The same with the words of to_string(); the values are those of the enumeration, from the first on.
+template <typename E>
+requires std::is_enum_v<E> Shape<E> word(std::string text, std::initializer_list<E> values) {
+  std::vector<std::string> words;
+  for (const E value : values) words.emplace_back(to_string(value));
+  return word<E>(std::move(text), std::move(words));
+}
+
 /// list() by the address of the list.
 ErasedShape erased_list_shape(std::string text, ErasedShape item, std::size_t least,
                               std::size_t most, const ErasedList& list);
