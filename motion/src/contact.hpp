@@ -21,10 +21,13 @@ class Contact {
   explicit Contact(const MotionModel& model)
       : model_(&model), floor_(1e-7 * model.full_contact_amplitude) {}
 
+  static constexpr double kOfDesign = -1;
+
   /// @param amplitude  A [m]; below 1e-7 A_1, where F is linear in A (C20.2, C20.3), F / A and T are those at 1e-7 A_1
   /// @param speed      of the rotor in the direction of the wave [rad/s]
   /// @param frequency  of the wave [Hz]
-  ContactForces at(double amplitude, double speed, double frequency);
+  /// @param preload    the normal force at this instant [N]; that of the design if it is negative
+  ContactForces at(double amplitude, double speed, double frequency, double preload = kOfDesign);
 
   /// 1e-7 A_1 [m].
   double floor() const { return floor_; }
@@ -34,13 +37,14 @@ class Contact {
   const std::string& failure() const { return failure_; }
 
  private:
-  ContactForces solved(double amplitude, double speed, double frequency);
+  ContactForces solved(double amplitude, double speed, double frequency, double preload);
+  OperatingPoint point(const OperatingConditions& at, double preload) const;
 
   const MotionModel* model_;
   double floor_;
   long count_{0};
   std::string failure_{"ok"};
-  double last_amplitude_{-1}, last_speed_{0}, last_frequency_{0};
+  double last_amplitude_{-1}, last_speed_{0}, last_frequency_{0}, last_preload_{0};
   ContactForces last_{};
 };
 

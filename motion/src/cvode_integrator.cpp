@@ -178,6 +178,7 @@ Integrator::Integrator(OdeSystem& system, int event_count, double tolerance,
       CVodeSetLinearSolver(memory, own.solver.get(), own.matrix.get()) == CV_SUCCESS &&
       CVodeSetJacFn(memory, Parts::jacobian) == CV_SUCCESS &&
       CVodeSetNonlinConvCoef(memory, kNewtonShare) == CV_SUCCESS &&
+      CVodeSetStabLimDet(memory, system.rings()) == CV_SUCCESS &&
       CVodeRootInit(memory, event_count, Parts::roots) == CV_SUCCESS &&
       CVodeSetErrHandlerFn(memory, ignore_message, nullptr) == CV_SUCCESS &&
       CVodeSetNoInactiveRootWarn(memory) == CV_SUCCESS;

@@ -4,19 +4,13 @@
 #include "contact.hpp"
 #include "integrator.hpp"
 #include "model_slopes.hpp"
+#include "state_places.hpp"
 #include "stretches.hpp"
 
-#include <array>
 #include <optional>
 #include <span>
 
 namespace twum::motion {
-
-/// States of a motion: zeta = A e^(-i phi) in Cartesian parts, Omega, theta_r, the electrical energy, and the angle by which zeta
-/// has turned while the drive is off. Then only A counts for all else; a zeta that stood for its phase, too, would turn
-/// thousands of times a second. Of a motor with a given amplitude zeta stays zero.
-enum StateIndex : std::size_t { kReal, kImaginary, kSpeed, kAngle, kEnergy, kTurn, kStateCount };
-using States = std::array<double, kStateCount>;
 
 /// Which way the rotor may move.
 struct Mode {
@@ -32,12 +26,13 @@ struct HoldingLimits {
   bool known;       ///< false where the contact has no answer
 };
 
-/// (M2.1) and (M2.2) in one stretch and mode.
+/// (M2.1) and (M2.2) in one stretch and mode, with (M3.1) behind a series branch and (M4.5) for a rotor with an axial mass.
 class Equations final : public OdeSystem {
  public:
   /// @param slopes  of the model, for parameter_slopes()
-  explicit Equations(const MotionModel& model, const ModelSlopes* slopes = nullptr)
-      : model_(&model), slopes_(slopes), contact_(model) {}
+  explicit Equations(const MotionModel& model, const ModelSlopes* slopes = nullptr,
+                     AxialStates axial = AxialStates::none)
+      : model_(&model), slopes_(slopes), contact_(model), places_(model, axial) {}
 
   void set_stretch(const Stretch& stretch) { stretch_ = stretch; }
   void set_mode(Mode mode) { mode_ = mode; }
@@ -45,11 +40,15 @@ class Equations final : public OdeSystem {
   const Stretch& stretch() const { return stretch_; }
   const MotionModel& model() const { return *model_; }
   const Contact& contact() const { return contact_; }
+  const StatePlaces& places() const { return places_; }
+  /// True while the terminals have states of their own: behind a series branch with the drive on.
+  bool has_circuit() const { return places_.voltage != StatePlaces::kNone && !stretch_.off; }
 
   bool rates(double time, std::span<const double> y, std::span<double> dy) override;
   bool jacobian(double time, std::span<const double> y, std::span<double> jacobian) override;
   bool parameter_slopes(double time, std::span<const double> y, std::span<double> slopes) override;
   bool events(double time, std::span<const double> y, std::span<double> values) override;
+  bool rings() const override { return places_.count > kBaseStates; }
 
   double amplitude(double time, std::span<const double> y) const;
   /// Torque of the load and its spring, without friction [N m].
@@ -57,38 +56,56 @@ class Equations final : public OdeSystem {
   /// Contact at the speed of the mode; its torque has the direction of the rotor.
   ContactForces forces(double time, std::span<const double> y);
   HoldingLimits holding_limits(double time, std::span<const double> y);
-  /// Peak voltage at the terminals of a phase, and its current [V, A].
+  /// Peak voltages at the terminals of a phase and of the inverter, and the current [V, A]. While the drive is off there is no
+  /// inverter, and the terminals stand for it.
   struct Electrical {
-    Complex voltage, current;
-    double power() const { return (voltage * std::conj(current)).real(); }  ///< of both phases
+    Complex voltage, current, source;
+    double power() const { return (source * std::conj(current)).real(); }  ///< of both phases
   };
   Electrical electrical(double time, std::span<const double> y) const;
+  /// u and I that belong to the wave of a state in the long run (M3.2).
+  Electrical settled_circuit(double time, std::span<const double> y) const;
+  /// Puts u and I into a state.
+  void set_circuit(std::span<double> y, Complex voltage, Complex current) const;
 
  private:
   Complex capacitive_admittance(double time) const;
-  /// F / A, and its and the torque's derivatives in amplitude and speed.
+  /// F / A, and its and the torque's derivatives in amplitude, speed and height.
   struct ContactDerivatives {
-    Complex stiffness, stiffness_per_amplitude, stiffness_per_speed;
-    double torque_per_amplitude, torque_per_speed;
+    Complex stiffness, stiffness_per_amplitude, stiffness_per_speed, stiffness_per_height;
+    double torque_per_amplitude, torque_per_speed, torque_per_height;
   };
   /// Entries of the Jacobian by row and column.
   struct Entries {
     std::span<double> values;
-    double& operator()(std::size_t of, std::size_t in) const {
-      return values[in * kStateCount + of];
+    std::size_t count;
+    double& operator()(std::size_t of, std::size_t in) const { return values[in * count + of]; }
+    void put(std::size_t of, std::size_t in, Complex slope) const {
+      (*this)(of, in) = slope.real(), (*this)(of + 1, in) = slope.imag();
     }
   };
   std::optional<ContactDerivatives> contact_derivatives(double time, std::span<const double> y);
   void add_wave(const Entries& entry, double time, std::span<const double> y,
                 const ContactDerivatives& contact) const;
+  void add_circuit(const Entries& entry, double time) const;
   void add_rotor(const Entries& entry, std::span<const double> y,
                  const ContactDerivatives& contact) const;
-  ContactForces forces_at(double time, double amplitude, double speed);
+  void add_height(const Entries& entry, double time, std::span<const double> y) const;
+  double height(std::span<const double> y) const;
+  ContactForces forces_at(double time, double amplitude, double speed, double height);
   double omega(double time) const;
   double contact_speed(double speed) const;
   double power_slope(double time, const Electrical& at, Complex dzeta) const;
   struct WaveRate;
-  WaveRate wave_rate(double time, Complex contact_stiffness) const;
+  WaveRate wave_rate(double time, std::span<const double> y, Complex contact_stiffness) const;
+  /// u' and I' (M3.1).
+  struct CircuitRate {
+    Complex voltage, current;
+  };
+  CircuitRate circuit_rate(double time, std::span<const double> y, Complex wave) const;
+  CircuitRate circuit_slope(double time, std::span<const double> y, Complex wave, Complex dwave,
+                            const ModelSlope& q) const;
+  Complex source(double time) const;
 
   Complex wave_slope(double time, std::span<const double> y, const ContactGradients& contact,
                      const ModelSlope& q) const;
@@ -98,6 +115,7 @@ class Equations final : public OdeSystem {
   const MotionModel* model_;
   const ModelSlopes* slopes_;
   Contact contact_;
+  StatePlaces places_;
   Stretch stretch_{};
   Mode mode_{true, 1};
 };

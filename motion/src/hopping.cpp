@@ -54,7 +54,6 @@ Eigen::Matrix<double, 5, 5> hopping(const MotionModel& m, const MotorDesign& des
 
 }  // namespace
 
-// The pole nearest to that of the rotor on the layer alone.
 double hopping_rate(const MotionModel& model, const MotorDesign& design, double speed) {
   const ContactGradients contact = ContactDifferentiator(design).at(design.stator.amplitude, speed);
   if (contact.status != PointStatus::ok) return std::numeric_limits<double>::quiet_NaN();
@@ -62,9 +61,7 @@ double hopping_rate(const MotionModel& model, const MotorDesign& design, double 
   const Eigen::Vector<Complex, 5> poles =
       Eigen::EigenSolver<Eigen::Matrix<double, 5, 5>>(hopping(model, design, speed, contact), false)
           .eigenvalues();
-  return std::ranges::min_element(poles.begin(), poles.end(), {},
-                                  [&](const Complex& p) { return std::abs(p - alone); })
-      ->real();
+  return nearest_pole(poles, alone).real();
 }
 
 }  // namespace twum::motion

@@ -20,6 +20,8 @@ class OdeSystem {
                                 std::span<double> /*slopes*/) {
     return false;
   }
+  /// True if some of its own oscillations hardly decay. Formulas of high order are unstable for those, and are then left.
+  virtual bool rings() const { return false; }
   /// Functions whose zeros end a step. False as above.
   virtual bool events(double time, std::span<const double> y, std::span<double> values) = 0;
 };

@@ -144,7 +144,7 @@ RunEnd ManoeuvreRuns::stop(double torque) const {
 }
 
 Moving ManoeuvreRuns::stop_time(const RunEnd& end) const {
-  return moving(end.time, [&](std::size_t k) { return end.time_slopes[k / kStateCount]; });
+  return moving(end.time, [&](std::size_t k) { return end.time_slopes[k / count()]; });
 }
 
 // The rotor stands there, so that the time drops out.
@@ -250,7 +250,7 @@ Moving ManoeuvreRuns::moving(double value, Slope slope) const {
   Moving m{value, {}};
   if (!slopes_) return m;
   for (std::size_t k = 0; k < slopes_->columns().size(); ++k)
-    m.slopes.push_back(slope(k * kStateCount) / slopes_->columns()[k].scale);
+    m.slopes.push_back(slope(k * count()) / slopes_->columns()[k].scale);
   return m;
 }
 

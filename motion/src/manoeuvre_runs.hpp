@@ -60,6 +60,9 @@ class ManoeuvreRuns {
  private:
   enum class Until : unsigned char { reached, settled };
 
+  /// Of states, which is also the distance of the slopes of two parameters.
+  std::size_t count() const { return StatePlaces(model_, AxialStates::none).count; }
+
   Steady steady(double torque) const;
   Start started(double torque, Until until) const;
   RunEnd burst(double on, std::vector<double> switch_slopes = {}) const;

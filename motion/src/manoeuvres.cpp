@@ -150,7 +150,17 @@ class Answers final : public MotionMetrics {
       if (!std::isfinite(found.slopes[k])) throw WithoutValue{MetricStatus::inaccurate};
       gradient[index_of(slopes_->columns()[k].parameter)] = found.slopes[k];
     }
+    leave_out_driver(gradient);
     return gradient;
+  }
+
+  // The first ohm or henry of a driver makes states of the terminals, which then no longer step with the voltage: a motion without
+  // them has no slope in it.
+  void leave_out_driver(std::array<double, kParameterCount>& gradient) const {
+    const Driver driver = design_.driver.value_or(Driver{});
+    if (!design_.driver || driver.inductance != 0) return;
+    gradient[index_of(Parameter::driver_inductance)] = kNoValue;
+    if (driver.resistance == 0) gradient[index_of(Parameter::driver_resistance)] = kNoValue;
   }
 
   const MotorDesign& design_;

@@ -6,6 +6,7 @@
 #include <twum/motion/motion.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace twum::motion {
@@ -26,14 +27,22 @@ MotorDesign with_given_amplitude(MotorDesign design) {
 void require_equal_phases(const MotorDesign& design) {
   if (design.stator.imbalance && *design.stator.imbalance != Imbalance{})
     throw InputError(
-        "a motion has one wave, of equal phases and modes; leave out stator.imbalance "
-        "(voltage_ratio, phase_error, mode_splitting)");
+        "phases or modes are unequal (stator.imbalance), but a motion has one wave; leave out "
+        "voltage_ratio, phase_error and mode_splitting");
+}
+
+void require_capacitance(const MotionModel& model) {
+  if (model.driven && model.has_series() && model.capacitance == 0)
+    throw InputError(
+        "blocked_capacitance is 0 F; a motion with driver_inductance or driver_resistance needs "
+        "it: "
+        "give stator.blocked_capacitance, such as 8.5 nF");
 }
 
 double required_inertia(const MotorDesign& design) {
   if (!design.rotor.inertia)
     throw InputError(
-        "rotor_inertia is missing; a motion needs it: give rotor.inertia, such as 7e-6 kg.m^2");
+        "rotor_inertia is missing, which a motion needs; give rotor.inertia, such as 7e-6 kg.m^2");
   return *design.rotor.inertia + design.load.value_or(ShaftLoad{}).inertia;
 }
 
@@ -47,7 +56,12 @@ MotionModel::MotionModel(const MotorDesign& design)
   const ShaftLoad load = d.load.value_or(ShaftLoad{});
   load_damping = load.damping, load_friction = load.friction;
   stiffness = load.stiffness, neutral = load.neutral;
-  off_resistance = d.driver.value_or(Driver{}).off_resistance;
+  const Driver driver = d.driver.value_or(Driver{});
+  off_resistance = driver.off_resistance;
+  series_inductance = driver.inductance, series_resistance = driver.resistance;
+  rotor_mass = d.rotor.mass.value_or(0), axial_damping = d.rotor.axial_damping;
+  bed_stiffness = 2 * d.stator.contact_radius * d.stator.contact_width * d.layer.youngs_modulus /
+                  d.layer.thickness;
   full_contact_amplitude = opening_amplitude(d);
   holding_torque = motor.holding_torque();
   mirrors_at_rest = d.stator.radial_slices == 1 && shear_viscosity(d) == 0 &&
@@ -60,6 +74,42 @@ MotionModel::MotionModel(const MotorDesign& design)
   stiffness_of_wave = rate * rate * mass;  // (D2.2)
   force_factor = get(d, P::force_factor);
   capacitance = get(d, P::blocked_capacitance), loss_tangent = get(d, P::loss_tangent);
+  require_capacitance(*this);
+}
+
+namespace {
+
+// theta_L with cos theta_L = z / A; pi in full contact, 0 without any.
+double contact_angle(double amplitude, double height) {
+  if (height <= -amplitude) return std::numbers::pi;
+  return height >= amplitude ? 0 : std::acos(height / amplitude);
+}
+
+}  // namespace
+
+// 2 r b (E / h) (A sin theta_L - z theta_L)
+double MotionModel::normal_force(double amplitude, double height) const {
+  const double angle = contact_angle(amplitude, height);
+  return bed_stiffness * (amplitude * std::sin(angle) - height * angle);
+}
+
+MotionModel::NormalSlopes MotionModel::normal_slopes(double amplitude, double height) const {
+  const double angle = contact_angle(amplitude, height);
+  return {bed_stiffness * std::sin(angle), -bed_stiffness * angle};
+}
+
+// Newton's method from full contact, where the force is the largest: it falls and is convex in z, so that no step passes the root.
+double MotionModel::balanced_height(double amplitude) const {
+  const double preload = motor.design().preload;
+  constexpr int kSteps = 100;
+  double height = -std::max(amplitude, preload / (bed_stiffness * std::numbers::pi));
+  for (int i = 0; i < kSteps; ++i) {
+    const double step =
+        (preload - normal_force(amplitude, height)) / normal_slopes(amplitude, height).per_height;
+    height += step;
+    if (!(std::abs(step) > 1e-15 * std::abs(height))) break;
+  }
+  return height;
 }
 
 double MotionModel::drive_force(double voltage) const {
@@ -67,8 +117,8 @@ double MotionModel::drive_force(double voltage) const {
 }
 
 Complex MotionModel::off_voltage(double omega) const {
-  const Complex admittance = kI * omega * capacitance * Complex{1, -loss_tangent};
-  return -off_resistance * kI * omega * force_factor / (1.0 + off_resistance * admittance);
+  return -off_resistance * kI * omega * force_factor /
+         (1.0 + off_resistance * capacitive_admittance(omega));
 }
 
 }  // namespace twum::motion

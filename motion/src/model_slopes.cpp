@@ -28,6 +28,7 @@ ModelSlope slope(const MotorDesign& design, const ParameterJacobian& jacobian, P
   s.load_damping = of(P::load_damping), s.load_friction = of(P::load_friction);
   s.stiffness = of(P::load_stiffness), s.neutral = of(P::load_neutral);
   s.off_resistance = of(P::off_resistance);
+  s.series_inductance = of(P::driver_inductance), s.series_resistance = of(P::driver_resistance);
   if (!has_modal_data(design)) return s;
   const double rate = 2 * std::numbers::pi * get(design, P::resonance_frequency);
   s.mass = of(P::modal_mass), s.damping = of(P::modal_damping);

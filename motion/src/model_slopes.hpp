@@ -17,6 +17,7 @@ struct ModelSlope {
   double mass, damping, stiffness_of_wave, force_factor, capacitance, loss_tangent;
   double voltage, omega;  ///< of the drive, V rms and omega
   double inertia, load_damping, load_friction, stiffness, neutral, off_resistance;
+  double series_inductance, series_resistance;
 };
 
 /// True for parameters that wave, contact, rotor or load take: not for those of heat and wear.

@@ -23,6 +23,7 @@ const char* to_string(MotionEventKind kind) noexcept {
     case MotionEventKind::swapped: return "swapped";
     case MotionEventKind::squeals: return "squeals";
     case MotionEventKind::bounces: return "bounces";
+    case MotionEventKind::too_fast: return "motion-too-fast";
   }
   return "held";
 }

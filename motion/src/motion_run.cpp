@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace twum::motion {
@@ -19,6 +20,20 @@ namespace {
 constexpr double kReleaseSpeed = 1e-9;  // [rad/s]: past the event, and nothing beside any speed
 // Of the holding torque. Without it a rotor would be caught at the instant of its release.
 constexpr double kHoldMargin = 1e-6;
+// Of the largest voltage: below this share a voltage at the terminals counts for nothing.
+constexpr double kSmallestVoltage = 1e-2;
+
+void require_axial_motion(const MotionModel& model) {
+  if (!(model.rotor_mass > 0))
+    throw InputError(
+        "rotor_mass is missing; an axial motion of the rotor needs it: give rotor.mass, such as "
+        "0.1 "
+        "kg, or leave out 'axial: dynamic'");
+  if (model.motor.design().stator.radial_slices != 1)
+    throw InputError(
+        "radial_slices must be 1 for 'axial: dynamic', which has one contact radius, but is " +
+        std::to_string(std::abs(model.motor.design().stator.radial_slices)));
+}
 
 }  // namespace
 
@@ -27,7 +42,8 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
       task_(task),
       asked_(std::move(watch)),
       model_(design),
-      equations_(model_, asked_.slopes),
+      equations_(model_, asked_.slopes,
+                 task.axial == AxialMotion::dynamic ? AxialStates::height : AxialStates::none),
       integrator_(equations_, 2, task.tolerance, absolute_tolerances(),
                   asked_.slopes ? asked_.slopes->columns().size() : 0),
       watch_(equations_) {
@@ -35,6 +51,7 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
     throw InputError(
         "radial_motion must be false for a motion in time, which would take hours with it, but is "
         "true");
+  if (task.axial == AxialMotion::dynamic) require_axial_motion(model_);
   for (const auto& [time, value] : task.phase_difference.rows())
     if (value != std::numbers::pi / 2)
       throw InputError(
@@ -53,12 +70,20 @@ double MotionRun::smallest_scale() const {
 std::vector<double> MotionRun::absolute_tolerances() const {
   const double a = task_.tolerance * smallest_scale();
   const double omega = 2 * std::numbers::pi * task_.frequency.largest();
-  std::vector<double> absolute(kStateCount);
+  const StatePlaces& places = equations_.places();
+  std::vector<double> absolute(count());
   absolute[kReal] = absolute[kImaginary] = a;
   absolute[kSpeed] = model_.crest_per_amplitude * omega * a;
   absolute[kAngle] = absolute[kTurn] = task_.tolerance * 1e-4;
   // A wave of the smallest scale that is built up.
   absolute[kEnergy] = std::max(task_.tolerance * 1e-5, model_.mass * omega * omega * a * a);
+  const auto put = [&](std::size_t pair, double first, double second) {
+    if (pair != StatePlaces::kNone) absolute[pair] = first, absolute[pair + 1] = second;
+  };
+  const double volts = task_.tolerance * kSmallestVoltage * std::max(task_.voltage.largest(), 1.0);
+  const double amperes = volts * omega * model_.capacitance;
+  put(places.voltage, volts, volts), put(places.current, amperes, amperes);
+  put(places.height, a, omega * a);
   return absolute;
 }
 
@@ -83,7 +108,7 @@ Mode MotionRun::mode_at_rest() {
 
 void MotionRun::begin(const Stretch& first) {
   const std::size_t columns = asked_.slopes ? asked_.slopes->columns().size() : 0;
-  slopes_.assign(columns * kStateCount, 0.0);
+  slopes_.assign(columns * count(), 0.0);
   const InitialState& initial = task_.initial;
   equations_.set_stretch(first);
   if (initial.steady) {
@@ -93,7 +118,9 @@ void MotionRun::begin(const Stretch& first) {
     return;
   }
   const Complex zeta = std::polar(model_.driven ? initial.amplitude : 0, -initial.phase_lag);
-  y_ = {zeta.real(), zeta.imag(), initial.speed, initial.angle, 0, 0};
+  y_ = {zeta.real(), zeta.imag(), initial.speed, initial.angle};
+  if (const std::size_t height = equations_.places().height; height != StatePlaces::kNone)
+    y_[height] = model_.balanced_height(equations_.amplitude(0, y_));
   // enter() releases a rotor that nothing holds.
   equations_.set_mode({initial.speed == 0, initial.speed < 0 ? -1.0 : 1.0});
 }
@@ -102,8 +129,12 @@ bool MotionRun::swap_phases() {
   if (model_.driven && equations_.amplitude(time_, y_) >= 2 * model_.full_contact_amplitude)
     return end_early("swap-too-early");
   y_[kReal] = y_[kImaginary] = 0;  // the other wave begins from rest
+  equations_.set_circuit(y_, 0, 0);
   return true;
 }
+
+// Up to here the phases lay on R_off, and the coil carried no current.
+void MotionRun::open_circuit(Complex voltage) { equations_.set_circuit(y_, voltage, 0); }
 
 // The drive's phase goes on while it is off.
 void MotionRun::turn_wave() {
@@ -117,8 +148,11 @@ bool MotionRun::enter(const Stretch& stretch) {
   if (swapped && !swap_phases()) return false;
   const bool moves = !asked_.switch_slopes.empty() && stretch.begin > 0;
   const States rates_before = moves ? rates_now() : States{};
+  const Complex across = equations_.electrical(stretch.begin, y_).voltage;
+  const double turned = y_[kTurn];
   equations_.set_stretch(stretch);
   if (switched) turn_wave();
+  if (switched && !stretch.off) open_circuit(across * std::polar(1.0, turned));
   if (switched) note(stretch.off ? MotionEventKind::switched_off : MotionEventKind::switched_on);
   if (swapped) note(MotionEventKind::swapped);
   if (equations_.mode().held) change_mode();
@@ -136,8 +170,8 @@ States MotionRun::rates_now() {
 void MotionRun::jump(const States& before, const States& after,
                      std::span<const double> time_slopes) {
   for (std::size_t k = 0; k < time_slopes.size(); ++k)
-    for (std::size_t i = 0; i < kStateCount; ++i)
-      slopes_[k * kStateCount + i] += (before[i] - after[i]) * time_slopes[k];
+    for (std::size_t i = 0; i < count(); ++i)
+      slopes_[k * count() + i] += (before[i] - after[i]) * time_slopes[k];
 }
 
 void MotionRun::read_slopes() {
@@ -151,7 +185,7 @@ void MotionRun::cross_event() {
   const States before = rates_now();
   time_slopes_.resize(asked_.slopes->columns().size());
   for (std::size_t k = 0; k < time_slopes_.size(); ++k)
-    time_slopes_[k] = -slopes_[k * kStateCount + kSpeed] / before[kSpeed];
+    time_slopes_[k] = -slopes_[k * count() + kSpeed] / before[kSpeed];
   change_mode();
   jump(before, rates_now(), time_slopes_);
 }
@@ -198,7 +232,7 @@ bool MotionRun::integrate(const Stretch& stretch) {
   const auto stands = [&] { return asked_.until_held && stretch.off && equations_.mode().held; };
   if (stands()) return false;
   take_speed(motion_, y_[kSpeed]);
-  integrator_.restart(time_, y_, stretch.end, slopes_);
+  integrator_.restart(time_, std::span(y_).first(count()), stretch.end, slopes_);
   while (true) {
     const double begin = time_;
     const StepEnd end = integrator_.step();
@@ -222,7 +256,7 @@ bool MotionRun::integrate(const Stretch& stretch) {
     cross_event();
     if (stands()) return false;
     if (time_ >= stretch.end) return true;
-    integrator_.restart(time_, y_, stretch.end, slopes_);
+    integrator_.restart(time_, std::span(y_).first(count()), stretch.end, slopes_);
   }
 }
 

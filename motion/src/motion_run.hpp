@@ -63,6 +63,9 @@ class MotionRun final : public Engine {
   bool end_early(const std::string& status);
   void take_samples();
   void take_speeds(double begin);
+  /// The circuit of a driver with a series branch that is switched on at a wave of the motor.
+  void open_circuit(Complex voltage);
+  std::size_t count() const { return equations_.places().count; }
   /// Mode of a rotor at rest; the load decides (M4.1).
   Mode mode_at_rest();
   void note(MotionEventKind kind);

@@ -49,6 +49,8 @@ double slope(const MotorDesign& design, const MetricRequest& request, P paramete
   const auto at = [&](double value) {
     return plant_number(with(design, parameter, value), request);
   };
+  const bool of_series = parameter == P::driver_inductance || parameter == P::driver_resistance;
+  if (of_series && get(design, P::blocked_capacitance) == 0) return kNoValue;  // no such plant
   if (q == 0) return is_of_layer(parameter) ? kNoValue : slope_at_zero(here, at);
   const double above = at(q + step);
   // There is no static friction below the kinetic one.

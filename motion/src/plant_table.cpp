@@ -28,6 +28,10 @@ void require_table(const MotorDesign& design, const PlantTableOptions& options) 
     throw InputError(
         "voltage must be more than 0 V for a plant, whose table reaches to the waves of that "
         "voltage");
+  if (design.driver && (design.driver->inductance != 0 || design.driver->resistance != 0))
+    throw InputError(
+        "driver_inductance and driver_resistance must be 0 for a table of a plant, whose terminals "
+        "have the voltage of its input; leave them out, or use twum move");
   if (design.load && design.load->stiffness != 0)
     throw InputError(
         "load_stiffness must be 0 N.m/rad for a plant: a spring on the shaft belongs to the load, "

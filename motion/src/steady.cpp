@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <span>
 #include <string>
 
@@ -39,18 +41,37 @@ States state_on_curve(const MotorDesign& design, const Equations& equations, dou
   if (!equations.model().driven) return y;
   const Complex zeta = std::polar(point.amplitude, -point.phase_lag);
   y[kReal] = zeta.real(), y[kImaginary] = zeta.imag();
+  const auto [voltage, current, source] = equations.settled_circuit(equations.stretch().begin, y);
+  equations.set_circuit(y, voltage, current);
   return y;
 }
 
 // The states that are steady: the angle and the energy go on.
 std::vector<std::size_t> steady_states(const Equations& equations) {
-  if (!equations.model().driven) return {kSpeed};
-  return {kReal, kImaginary, kSpeed};
+  const StatePlaces& places = equations.places();
+  std::vector<std::size_t> in{kSpeed};
+  if (equations.model().driven) in = {kReal, kImaginary, kSpeed};
+  for (const std::size_t pair : {places.voltage, places.current, places.height})
+    if (pair != StatePlaces::kNone) in.insert(in.end(), {pair, pair + 1});
+  return in;
+}
+
+// The size of a state, of which its last step may be a share.
+double size_of(std::size_t place, const Equations& equations, const States& y) {
+  const StatePlaces& places = equations.places();
+  const auto pair = [&](std::size_t begin) { return std::hypot(y[begin], y[begin + 1]); };
+  if (place == kSpeed) return y[kSpeed];
+  for (const std::size_t begin : {places.voltage, places.current})
+    if (begin != StatePlaces::kNone && (place == begin || place == begin + 1)) return pair(begin);
+  const double amplitude = equations.amplitude(equations.stretch().begin, y);
+  if (places.height == StatePlaces::kNone || place != places.rise) return amplitude;
+  return amplitude * 2 * std::numbers::pi * equations.stretch().frequency.value;
 }
 
 Eigen::MatrixXd jacobian_of(Equations& equations, const States& y,
                             const std::vector<std::size_t>& in) {
-  std::array<double, kStateCount * kStateCount> slopes{};
+  const std::size_t count = equations.places().count;
+  std::vector<double> slopes(count * count);
   if (!equations.jacobian(equations.stretch().begin, y, slopes))
     refuse(equations.contact().failure());
   const auto n = static_cast<Eigen::Index>(in.size());
@@ -58,8 +79,17 @@ Eigen::MatrixXd jacobian_of(Equations& equations, const States& y,
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
       jacobian(i, j) =
-          slopes[in[static_cast<std::size_t>(j)] * kStateCount + in[static_cast<std::size_t>(i)]];
+          slopes[in[static_cast<std::size_t>(j)] * count + in[static_cast<std::size_t>(i)]];
   return jacobian;
+}
+
+using Solver = Eigen::FullPivLU<Eigen::MatrixXd>;
+
+// States in SI units differ by so much that a pivot may be small and count: none is taken as zero.
+Solver solver_of(Equations& equations, const States& y, const std::vector<std::size_t>& in) {
+  Solver solver(jacobian_of(equations, y, in));
+  solver.setThreshold(std::numeric_limits<double>::min());
+  return solver;
 }
 
 // Newton's step from a state: the solution of J dy = -y' in the states that count.
@@ -70,7 +100,7 @@ Eigen::VectorXd newton_step(Equations& equations, const States& y,
   Eigen::VectorXd residual(static_cast<Eigen::Index>(in.size()));
   for (std::size_t i = 0; i < in.size(); ++i)
     residual[static_cast<Eigen::Index>(i)] = -rates[in[i]];
-  return jacobian_of(equations, y, in).fullPivLu().solve(residual);
+  return solver_of(equations, y, in).solve(residual);
 }
 
 States newton_solution(Equations& equations, States y) {
@@ -81,9 +111,7 @@ States newton_solution(Equations& equations, States y) {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const double d = step[static_cast<Eigen::Index>(i)];
       y[in[i]] += d;
-      const double scale =
-          in[i] == kSpeed ? y[kSpeed] : equations.amplitude(equations.stretch().begin, y);
-      largest = std::max(largest, std::abs(d / scale));
+      largest = std::max(largest, std::abs(d / size_of(in[i], equations, y)));
     }
     if (!(y[kSpeed] > 0)) break;
     if (largest < 1e-11) return y;  // quadratic: the next step would be rounding
@@ -100,6 +128,9 @@ States steady_state(const MotorDesign& design, Equations& equations) {
   const double torque = asked.load_torque.value, friction = equations.model().load_friction;
   // The curve ends at no-load. From there a load that drives the rotor is approached in steps of 5 % of the holding torque.
   States y = state_on_curve(design, equations, std::max(torque + friction, 0.0));
+  if (equations.places().height != StatePlaces::kNone)
+    y[equations.places().height] =
+        equations.model().balanced_height(equations.amplitude(asked.begin, y));
   const double driving = std::min(torque + friction, 0.0);
   const int steps = 1 + static_cast<int>(-driving / (0.05 * equations.model().holding_torque));
   Stretch nearer = asked;
@@ -113,13 +144,14 @@ States steady_state(const MotorDesign& design, Equations& equations) {
 }
 
 std::vector<double> steady_slopes(Equations& equations, const States& y, std::size_t columns) {
-  std::vector<double> slopes(columns * kStateCount);
+  const std::size_t count = equations.places().count;
+  std::vector<double> slopes(columns * count);
   if (!equations.parameter_slopes(equations.stretch().begin, y, slopes))
     refuse(equations.contact().failure());
   const std::vector<std::size_t> in = steady_states(equations);
-  const Eigen::FullPivLU<Eigen::MatrixXd> solver(jacobian_of(equations, y, in));
+  const Solver solver = solver_of(equations, y, in);
   for (std::size_t k = 0; k < columns; ++k) {
-    const std::span<double> column = std::span(slopes).subspan(k * kStateCount, kStateCount);
+    const std::span<double> column = std::span(slopes).subspan(k * count, count);
     Eigen::VectorXd right(static_cast<Eigen::Index>(in.size()));
     for (std::size_t i = 0; i < in.size(); ++i)
       right[static_cast<Eigen::Index>(i)] = -column[in[i]];

@@ -171,6 +171,7 @@ function terminalsChart(node, curve, onSpeed) {
     ['output_power', 'output', 'c0'], ['friction_power', 'friction', 'c1'], ['layer_loss', 'layer', 'c2'],
     ['stator_loss', 'stator', 'c3'], ['dielectric_loss', 'ceramic', 'c6']
   ];
+  if (curve.driver_loss) parts.push(['driver_loss', 'driver', 'c5']);
   const unit = displayUnit(largest([curve.electrical_power]), 'W');
   const sums = new Float64Array(curve.speed.length);
   const series = parts.map(([name, label, c], k) => {

@@ -42,6 +42,7 @@ export const curves = data.curves.map((c) => {
   if (c.one_slice_torque) curve.one_slice_torque = numbers(c.one_slice_torque, Float64Array);
   if (c.electrical_power)
     for (const name of terminalColumns) curve[name] = numbers(c[name], Float64Array);
+  if (c.driver_loss) curve.driver_loss = numbers(c.driver_loss, Float64Array);
   return curve;
 });
 

@@ -87,6 +87,18 @@ TEST_CASE("a motion tells where what it leaves out has grown", "[motion][manoeuv
   CHECK_FALSE(has_grown(light, MotionEventKind::bounces));
 }
 
+TEST_CASE("a motion tells where it is too fast for a periodic contact (M7.1)",
+          "[motion][manoeuvres]") {
+  // d_s / 2 m_s is the rate of the wave: 800 / s with a quality factor of 153, and 12,250 / s with 10. W / 30 is 8,545 / s at rest.
+  for (const auto& [quality, inertia, fast] :
+       {std::tuple{153.0, 1e-4, false}, {153.0, 7e-6, false}, {10.0, 1e-6, true}}) {
+    CAPTURE(quality, inertia);
+    MotorDesign d = elastic_60(inertia, quality < 100 ? 800 : 140);
+    d.stator.quality_factor = quality;
+    CHECK(has_grown(d, MotionEventKind::too_fast) == fast);
+  }
+}
+
 TEST_CASE("rates and gains are those of the linear plant", "[motion][manoeuvres]") {
   // Poles -1,760 +- 3,753 i and -382: motion.md's program.
   CHECK(value(elastic_60(1e-4), under(M::settling_rate_at, 0)) == Approx(1760).epsilon(5e-4));

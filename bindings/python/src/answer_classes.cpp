@@ -41,12 +41,15 @@ constexpr PointEntry kPointEntries[] = {
     {"amplitude", &OperatingPoint::amplitude, "Amplitude of the wave [m]."},
     {"phase_lag", &OperatingPoint::phase_lag,
      "Lag of the wave behind the voltage [rad]; NaN, as what follows, without modal data."},
-    {"voltage", &OperatingPoint::voltage, "Voltage of a phase that holds the wave, rms [V]."},
+    {"voltage", &OperatingPoint::voltage, "Voltage of the inverter that holds the wave, rms [V]."},
     {"phase_current", &OperatingPoint::phase_current, "Current of a phase, rms [A]."},
     {"power_factor", &OperatingPoint::power_factor, "Electrical over apparent power of a phase."},
     {"electrical_power", &OperatingPoint::electrical_power,
-     "Power at the terminals, both phases together [W]."},
-    {"dielectric_loss", &OperatingPoint::dielectric_loss, "Loss in the blocked capacitances [W]."}};
+     "Power out of the inverter, both phases together [W]."},
+    {"dielectric_loss", &OperatingPoint::dielectric_loss, "Loss in the blocked capacitances [W]."},
+    {"driver_loss", &OperatingPoint::driver_loss, "Loss in driver_resistance, both phases [W]."},
+    {"terminal_voltage", &OperatingPoint::terminal_voltage,
+     "Voltage across a phase, behind driver_inductance and driver_resistance, rms [V]."}};
 
 py::dict point_state(const OperatingPoint& point) {
   py::dict state;

@@ -49,6 +49,12 @@ MotionEngine to_engine(const std::string& word) {
   throw InputError("engine: expected 'averaged' or 'oscillating', but is '" + word + "'");
 }
 
+AxialMotion to_axial(const std::string& word) {
+  if (word == "static") return AxialMotion::balanced;
+  if (word == "dynamic") return AxialMotion::dynamic;
+  throw InputError("axial: expected 'static' or 'dynamic', but is '" + word + "'");
+}
+
 std::vector<double> equal_times(double duration, std::size_t points) {
   if (points < 2) throw InputError("points: expected at least 2");
   std::vector<double> times;
@@ -61,7 +67,7 @@ std::vector<double> equal_times(double duration, std::size_t points) {
 struct MoveArguments {
   py::object voltage, amplitude, frequency, load_torque, switched_off, reversed, phase_difference;
   bool steady;
-  std::string engine;
+  std::string engine, axial;
   double accuracy;
   std::size_t points;
 };
@@ -83,6 +89,7 @@ MotionTask to_task(const MotorDesign& design, const py::object& duration,
   if (py::len(given.reversed) > 0) task.reversed = to_intervals("reversed", given.reversed);
   task.initial.steady = given.steady;
   task.engine = to_engine(given.engine), task.accuracy = given.accuracy;
+  task.axial = to_axial(given.axial);
   task.output_times = equal_times(task.duration, given.points);
   return task;
 }
@@ -127,10 +134,11 @@ py::object move(const py::object& self, const py::object& duration, const MoveAr
                                         found.status, found.end);
 }
 
-py::object plant_of(const py::object& self, const py::object& load_torque) {
+py::object plant_of(const py::object& self, const py::object& load_torque,
+                    const std::string& axial) {
   const MotorDesign design = py::cast<const PyMotor&>(self).motor.design();
   const LinearPlant plant =
-      linearize(design, to_quantity("load_torque", load_torque, "N.m", "0.2 N.m"));
+      linearize(design, to_quantity("load_torque", load_torque, "N.m", "0.2 N.m"), to_axial(axial));
   const auto matrix = [](const LinearPlant::Matrix& rows) {
     Array numbers({rows.size(), rows.empty() ? 0 : rows.front().size()});
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -159,29 +167,33 @@ void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor) {
          const py::object& amplitude, const py::object& frequency, const py::object& load_torque,
          const py::object& switched_off, const py::object& reversed,
          const py::object& phase_difference, bool steady, const std::string& engine,
-         double accuracy, std::size_t points, const py::object& stop, const py::object& progress) {
+         const std::string& axial, double accuracy, std::size_t points, const py::object& stop,
+         const py::object& progress) {
         return move(self, duration,
                     {voltage, amplitude, frequency, load_torque, switched_off, reversed,
-                     phase_difference, steady, engine, accuracy, points},
+                     phase_difference, steady, engine, axial, accuracy, points},
                     stop, progress);
       },
       py::arg("duration"), py::kw_only(), py::arg("voltage") = py::none(),
       py::arg("amplitude") = py::none(), py::arg("frequency") = py::none(),
       py::arg("load_torque") = py::none(), py::arg("switched_off") = py::tuple(),
       py::arg("reversed") = py::tuple(), py::arg("phase_difference") = py::none(),
-      py::arg("steady") = false, py::arg("engine") = "averaged", py::arg("accuracy") = 1.0,
-      py::arg("points") = 401, py::arg("stop") = py::none(), py::arg("progress") = py::none(),
+      py::arg("steady") = false, py::arg("engine") = "averaged", py::arg("axial") = "static",
+      py::arg("accuracy") = 1.0, py::arg("points") = 401, py::arg("stop") = py::none(),
+      py::arg("progress") = py::none(),
       "move(self, duration, *, voltage=None, amplitude=None, frequency=None, load_torque=None, "
       "switched_off=(), reversed=(), phase_difference=None, steady=False, "
-      "engine='averaged', accuracy=1.0, points=401, stop=None, progress=None)\n--\n\n"
+      "engine='averaged', axial='static', accuracy=1.0, points=401, stop=None, "
+      "progress=None)\n--\n\n"
       "A motion in time, a Motion: from rest, or from the steady state under the first values. "
       "Voltage, amplitude,\nfrequency, load torque and phase difference are values, by default "
       "the motor's, or rows (time, value), linear\nbetween rows; two rows of one time are a "
       "step. `switched_off` and `reversed` are intervals (from, to). Numbers\nare in SI units, "
       "texts carry their unit. `stop` and `progress` are those of evaluate().");
-  motor.def("linearize", &plant_of, py::arg("load_torque") = 0.0,
-            "linearize(self, load_torque=0.0)\n--\n\nThe motor near its steady state under a load "
-            "torque, as a controller sees it: a Plant.");
+  motor.def("linearize", &plant_of, py::arg("load_torque") = 0.0, py::arg("axial") = "static",
+            "linearize(self, load_torque=0.0, axial='static')\n--\n\nThe motor near its steady "
+            "state under a load torque, as a controller sees it: a Plant. With axial='dynamic' the "
+            "rotor's height\nand its rate are states, too.");
 }
 
 }  // namespace twum::python

@@ -14,6 +14,13 @@ inline constexpr bool kHasRadialMotion = false;
 inline constexpr bool kHasRadialMotion = true;
 #endif
 
+/// A driver may have an inductance and a resistance in series with the phases. The page takes it as ideal, and says so.
+#ifdef __wasm__
+inline constexpr bool kHasSeriesBranch = false;
+#else
+inline constexpr bool kHasSeriesBranch = true;
+#endif
+
 /// The numbers that a contact depends on: the last is that of the radial motion.
 inline constexpr int kContactNumbers = kHasRadialMotion ? 8 : 7;
 

@@ -11,7 +11,7 @@ using motor_rows::kNoAlternative;
 
 inline bool is_damped(const MotorDesign& d) { return d.rotor.axial_damping != 0; }
 
-/// Rows of the parameter table for motions in time. Every motor does without them.
+/// Rows of the parameter table for motions in time and for the driver. Every motor does without them.
 inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
     {{P::rotor_inertia, "rotor_inertia", "", "kg.m^2", "rotor.inertia", 1e-18, 1e6, false, false,
       kNoAlternative, "7e-6 kg.m^2", "moment of inertia of rotor and shaft",
@@ -41,6 +41,15 @@ inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
       false, kNoAlternative, "459 ohm", "resistance across each phase while the drive is off",
       "0 shorts the phases; the largest is better than any insulator", "0 ohm", false},
      in_block<&MotorDesign::driver, &Driver::off_resistance>()},
+    {{P::driver_inductance, "driver_inductance", "", "H", "driver.inductance", 0, 10, false, false,
+      kNoAlternative, "0.8 mH", "inductance in series with each phase; voltage is the inverter's",
+      "0 is an ideal driver; the largest passes less than a milliampere", "0 H", false},
+     in_block<&MotorDesign::driver, &Driver::inductance>()},
+    {{P::driver_resistance, "driver_resistance", "", "ohm", "driver.resistance", 0, 1e6, false,
+      false, kNoAlternative, "5 ohm",
+      "resistance in series with each phase; voltage is the inverter's",
+      "0 is an ideal driver; the largest passes less than a milliampere", "0 ohm", false},
+     in_block<&MotorDesign::driver, &Driver::resistance>()},
     {{P::axial_damping, "axial_damping", "", "N.s/m", "rotor.axial_damping", 0, 1e9, false, false,
       kNoAlternative, "300 N.s/m", "damping of the rotor's axial motion: flange, rubber, lining",
       "0 is a rotor that hops near no-load; the largest stops any axial motion", "0 N.s/m", false},

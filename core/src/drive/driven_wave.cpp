@@ -42,6 +42,24 @@ double drive_force(const MotorDesign& design) {
          modes.unequal.share();
 }
 
+// omega^2 with k_s - omega^2 m_s + Re beta = 0 by Newton's method from the free stator's; that again where it leads nowhere.
+double resonance_of(const StatorModes<double>& m) {
+  if (!m.has_series()) return m.resonance;
+  constexpr int kSteps = 30;
+  constexpr double kSettled = 1e-14;
+  double square = m.resonance * m.resonance;
+  for (int i = 0; i < kSteps; ++i) {
+    const double omega = std::sqrt(square);
+    const double left =
+        core::dynamic_stiffness(m, omega) + series_action(m, omega).stiffness().real;
+    const double step = left / (m.mass - series_mass(m, omega));
+    square += step;
+    if (!(square > 0)) break;
+    if (std::fabs(step) <= kSettled * square) return std::sqrt(square);
+  }
+  return m.resonance;
+}
+
 // k of (D2.10). A table's spline may be slightly larger between the sampled radii.
 double reach_of(const MotorModel<double>& m) {
   if (m.track.nodes == 1) return 1;
@@ -62,6 +80,7 @@ DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
       modes_(modes_of(design)),
       drive_(drive_force(design)),
       omega_(2 * std::numbers::pi * drive_frequency(design)),
+      resonance_(resonance_of(modes_)),
       reach_(reach_of(model_)) {
   if (in_use(design, Parameter::loss_factor)) loss_factor_ = design.layer.loss_factor;
 }
@@ -107,9 +126,10 @@ DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amp
       point.moving(moving_motor(a, omega),
                    in_frequency ? MotionDual(speed) : MotionDual::variable(speed, kInSpeed));
   const PointNumbers<MotionDual>& n = moving.numbers;
-  return {
-      n, std::move(moving.states), a,
-      wave_balance(constant_modes<MotionDual>(modes_), a, omega, n.reactive_force, n.stator_power)};
+  const auto modes = constant_modes<MotionDual>(modes_);
+  return {n, std::move(moving.states), a,
+          drive_balance(modes, wave_balance(modes, a, omega, n.reactive_force, n.stator_power), a,
+                        omega)};
 }
 
 double DrivenWaves::MovingWave::amplitude_per_speed() const {
@@ -141,8 +161,29 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
   return s;
 }
 
+double DrivenWaves::phase_lag(const DrivenWave& w) const {
+  if (!modes_.has_series()) return std::atan2(w.balance.imaginary, w.balance.real);
+  const Phasor<double> force =
+      series_action(modes_, omega_).blocked * Phasor<double>{w.balance.real, w.balance.imaginary};
+  return std::atan2(force.imaginary, force.real);
+}
+
+double DrivenWaves::dynamic_stiffness() const {
+  const double own = core::dynamic_stiffness(modes_, omega_);
+  return modes_.has_series() ? own + series_action(modes_, omega_).stiffness().real : own;
+}
+
+double DrivenWaves::damping() const {
+  if (!modes_.has_series()) return modes_.damping;
+  return modes_.damping + series_action(modes_, omega_).stiffness().imaginary / omega_;
+}
+
+double DrivenWaves::divider() const {
+  return modes_.has_series() ? series_action(modes_, omega_).size : 1;
+}
+
 Stability DrivenWaves::stability(const SlopedWave& w) const {
-  const double rate = 2 * omega_ * modes_.mass, a = w.wave.amplitude;
+  const double rate = 2 * omega_ * modes_.mass * divider(), a = w.wave.amplitude;
   return {w.fold() / (a * rate * rate),
           -(w.wave.balance.imaginary + a * w.slope.imaginary) / (rate * a)};
 }

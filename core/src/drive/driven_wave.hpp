@@ -95,9 +95,11 @@ class DrivenWaves {
                      double accuracy = 0, const SolvedPoint* near = nullptr,
                      Continued along = Continued::speed) const;
 
-  /// The force that a wave needs from the drive, from the numbers of its contact.
+  /// The force that a wave needs from the drive, from the numbers of its contact (D2.3, D8.3).
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {
-    return wave_balance(modes_, amplitude, omega_, n.reactive_force, n.stator_power);
+    return drive_balance(modes_,
+                         wave_balance(modes_, amplitude, omega_, n.reactive_force, n.stator_power),
+                         amplitude, omega_);
   }
   DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
   Stability stability(const SlopedWave& wave) const;
@@ -108,6 +110,16 @@ class DrivenWaves {
   bool has_static_excess() const { return core::has_static_excess(model_); }
   const MotorModel<double>& model() const { return model_; }
   const StatorModes<double>& modes() const { return modes_; }
+  /// phi of a wave behind the voltage (D2.4, D8.3) [rad].
+  double phase_lag(const DrivenWave& wave) const;
+  /// What a wave finds of stator and driver: k_s - omega^2 m_s + Re beta [N/m], d_s + Im beta / omega [N s/m], and 1 / |alpha|, force
+  /// of the voltage over that on the wave (D8.2). @{
+  double dynamic_stiffness() const;
+  double damping() const;
+  double divider() const;
+  /// @}
+  /// Of the free stator with the driver, at which dynamic_stiffness() is zero: that next to the modes' own [rad/s].
+  double resonance() const { return resonance_; }
   double drive() const { return drive_; }
   double omega() const { return omega_; }
   /// V0 / r per amplitude [rad/s/m]
@@ -131,6 +143,7 @@ class DrivenWaves {
   StatorModes<double> modes_;
   double drive_;  // Theta u_0, the force of the voltage's peak [N]
   double omega_;
+  double resonance_;
   std::optional<double> loss_factor_;  // if the layer's viscosity follows from it
   double reach_;                       // k of (D2.10)
 };

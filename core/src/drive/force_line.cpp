@@ -14,7 +14,7 @@ constexpr double kLargest = 1, kSmallest = 1e-30;
 
 // Beyond the backbone, where R stays negative, both |R| and I grow.
 double highest_extremum(const DrivenWaves& waves) {
-  const double softness = -dynamic_stiffness(waves.modes(), waves.omega());
+  const double softness = -waves.dynamic_stiffness();
   return softness > 0 ? 2 * (waves.pressure_bound() + waves.traction_bound()) / softness : 0;
 }
 
@@ -107,10 +107,10 @@ bool jumps(const CurveNode& a, const CurveNode& b) { return a.jump && b.jump; }
 }  // namespace
 
 double largest_amplitude(const DrivenWaves& w) {
-  const StatorModes<double>& m = w.modes();
-  const double damped = (w.drive() + w.traction_bound()) / (w.omega() * m.damping);
-  const double stiff = (w.drive() + w.pressure_bound() + w.traction_bound()) /
-                       std::fabs(dynamic_stiffness(m, w.omega()));
+  const double drive = w.drive() / w.divider();
+  const double damped = (drive + w.traction_bound()) / (w.omega() * w.damping());
+  const double stiff =
+      (drive + w.pressure_bound() + w.traction_bound()) / std::fabs(w.dynamic_stiffness());
   return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
 }
 

@@ -9,7 +9,7 @@ namespace twum::core {
 double ForcePlane::parameter(double y) const {
   switch (continued_) {
     case Continued::speed: return unit_ * y;
-    case Continued::frequency: return waves_.modes().resonance + std::exp(y);
+    case Continued::frequency: return waves_.resonance() + std::exp(y);
     case Continued::voltage: return std::exp(y);
   }
   return 0;
@@ -18,7 +18,7 @@ double ForcePlane::parameter(double y) const {
 double ForcePlane::coordinate(double parameter) const {
   switch (continued_) {
     case Continued::speed: return parameter / unit_;
-    case Continued::frequency: return std::log(parameter - waves_.modes().resonance);
+    case Continued::frequency: return std::log(parameter - waves_.resonance());
     case Continued::voltage: return std::log(parameter);
   }
   return 0;

@@ -55,13 +55,17 @@ double FrequencyPath::excess(const ResponseWave& on_backbone) const {
 }
 
 std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
-  const StatorModes<double>& m = held_.waves().modes();
-  const double stiff = std::fmax(std::fabs(dynamic_stiffness(m, lowest_)),
-                                 std::fabs(dynamic_stiffness(m, highest_)));
-  const double steepest = stiff + highest_ * m.damping + 2 * held_.waves().contact_stiffness();
-  const double low = std::fmax(0.3 * held_.waves().drive() / steepest, kSmallestWave);
+  const DrivenWaves at_low = held_.waves().at_frequency(lowest_),
+                    at_high = held_.waves().at_frequency(highest_);
+  const double divider = std::fmax(at_low.divider(), at_high.divider());
+  const double stiff =
+      std::fmax(std::fabs(at_low.dynamic_stiffness()), std::fabs(at_high.dynamic_stiffness()));
+  const double damping = std::fmax(at_low.damping(), at_high.damping());
+  const double steepest = stiff + highest_ * damping + 2 * held_.waves().contact_stiffness();
+  const double low = std::fmax(0.3 * held_.waves().drive() / (divider * steepest), kSmallestWave);
+  const double drive = held_.waves().drive() / std::fmin(at_low.divider(), at_high.divider());
   const double high = std::fmin(
-      1.01 * (held_.waves().drive() + held_.waves().traction_bound()) / (lowest_ * m.damping),
+      1.01 * (drive + held_.waves().traction_bound()) / (lowest_ * held_.waves().modes().damping),
       kLargestWave);
   if (!(held_.waves().drive() > 0 && low < high)) return {};
   std::vector<ResponseWave> scan;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace twum {
 namespace {
@@ -34,10 +35,26 @@ void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
   if (!std::isfinite(load.value)) throw InputError("the load must be a finite number");
 }
 
+// A driver with an inductance resonates with C_0, so that a free stator has two resonances, omega_1 and omega_2. Up to the root of
+// the mean of their squares, or from there on, the force that an amplitude needs grows with the distance from its own resonance, as
+// (D5.1) takes it (D8.7). The stiffer the contact, the higher that is: the free stator's bounds a range from above, that of a stuck
+// contact from below.
+// @return lowest and highest frequency [rad/s]
+std::pair<double, double> one_resonance(const core::DrivenWaves& waves) {
+  const auto& m = waves.modes();
+  if (!m.has_series() || m.series->inductance == 0 || m.capacitance == 0) return {0, HUGE_VAL};
+  const double electrical = 1 / (m.series->inductance * m.capacitance);
+  const double coupling = m.force_factor * m.force_factor / (m.mass * m.capacitance);
+  const double mean = 0.5 * (electrical + m.resonance * m.resonance + coupling);
+  if (waves.resonance() * waves.resonance() < mean) return {0, std::sqrt(mean)};
+  return {std::sqrt(mean + 0.5 * waves.contact_stiffness() / m.mass), HUGE_VAL};
+}
+
 // Upper bound of the resonances: a stator with full contact that sticks all round.
 double highest_resonance(const core::DrivenWaves& waves) {
   const auto& m = waves.modes();
-  return std::sqrt(m.resonance * m.resonance + waves.contact_stiffness() / m.mass);
+  const double free = std::fmax(m.resonance, waves.resonance());
+  return std::sqrt(free * free + waves.contact_stiffness() / m.mass);
 }
 
 }  // namespace
@@ -55,6 +72,7 @@ const char* to_string(BranchEndKind kind) noexcept {
 struct FrequencyResponse::Content {
   core::DrivenWaves waves;
   RotorLoad load;
+  std::pair<double, double> bounds;  // of one_resonance()
   core::FrequencyPath path;
   double from, to;  // [rad/s]
 
@@ -62,12 +80,15 @@ struct FrequencyResponse::Content {
           const std::optional<std::pair<double, double>>& range)
       : waves(core::Drive::waves_of(design)),
         load(rotor_load),
+        bounds(one_resonance(waves)),
         path(waves, load, lowest(range), highest(range)) {
     if (range) {
       from = kTurnOfResponse * range->first, to = kTurnOfResponse * range->second;
+      require_one_resonance();
       return;
     }
     from = to = waves.omega();
+    require_one_resonance();
     const auto include = [this](double omega) {
       from = std::fmin(from, omega), to = std::fmax(to, omega);
     };
@@ -77,16 +98,27 @@ struct FrequencyResponse::Content {
       if (piece.last_end == BranchEndKind::fold) include(piece.waves.back().omega);
     }
     const double margin = std::fmax(kMargin * (to - from), kLeastMargin * waves.omega());
-    from -= margin, to += margin;
+    from = std::fmax(from - margin, bounds.first), to = std::fmin(to + margin, bounds.second);
   }
 
+  void require_one_resonance() const {
+    if (from >= bounds.first && to <= bounds.second) return;
+    const auto hertz = [](double omega) {
+      return std::to_string(std::lround(omega / kTurnOfResponse)) + " Hz";
+    };
+    throw InputError("driver_inductance resonates with blocked_capacitance: a frequency response " +
+                     (bounds.first > 0 ? "must begin at " + hertz(bounds.first) + " or above"
+                                       : "must end at " + hertz(bounds.second) + " or below") +
+                     (from < to ? ", but its range is " + hertz(from) + " to " + hertz(to)
+                                : ", but the drive is at " + hertz(to) + "; give a range"));
+  }
   double lowest(const std::optional<std::pair<double, double>>& range) const {
-    const double own = 0.9 * std::fmin(waves.modes().resonance, waves.omega());
-    return range ? std::fmin(own, kTurnOfResponse * range->first) : own;
+    const double own = 0.9 * std::fmin(waves.resonance(), waves.omega());
+    return std::fmax(range ? std::fmin(own, kTurnOfResponse * range->first) : own, bounds.first);
   }
   double highest(const std::optional<std::pair<double, double>>& range) const {
     const double own = 1.1 * std::fmax(highest_resonance(waves), waves.omega());
-    return range ? std::fmax(own, kTurnOfResponse * range->second) : own;
+    return std::fmin(range ? std::fmax(own, kTurnOfResponse * range->second) : own, bounds.second);
   }
 
   ResponsePoint point_of(const ResponseWave& wave) const {

@@ -118,8 +118,9 @@ std::optional<ResponseWave> HeldWaves::solve_by_newton(double amplitude, double 
     if (found.status != PointStatus::ok) return {};
     wave.start = found.start, wave.resistive_force = found.balance.imaginary;
     torque = found.torque;
-    return Pair{(found.balance.real - wanted_force(waves, found, side)) / inertia,
-                loaded ? (load_.value - torque) / guess.torque_slope : 0};
+    return Pair{
+        (found.balance.real - wanted_force(waves, found, side)) / (inertia * waves.divider()),
+        loaded ? (load_.value - torque) / guess.torque_slope : 0};
   };
   Pair x{1, guess.speed_ratio};
   LearnedSlopes slopes;
@@ -165,7 +166,8 @@ std::optional<ResponseWave> HeldWaves::solve_by_secants(double amplitude, double
     const auto found = carried(waves, amplitude, ratio, i == 0 ? kFarWindow : kNearWindow);
     if (!found) return {};
     const WaveBalance<double>& b = found->wave.balance;
-    const double step = (b.real - wanted_force(waves, found->wave, side)) / inertia;
+    const double step =
+        (b.real - wanted_force(waves, found->wave, side)) / (inertia * waves.divider());
     ratio = found->wave.speed / (waves.crest_speed_per_amplitude() * amplitude);
     if (std::fabs(step) <= kSettledSquare * square) {
       const bool sloped = load_.given == Argument::torque && !found->standing;

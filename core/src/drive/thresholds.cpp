@@ -95,7 +95,7 @@ Threshold Thresholds::voltage(bool start) {
 }
 
 Threshold Thresholds::frequency(bool start) {
-  if (!given_voltage_ || !(waves_.omega() > waves_.modes().resonance))
+  if (!given_voltage_ || !(waves_.omega() > waves_.resonance()))
     throw SearchFailure{MetricStatus::undefined};
   if (waves_.has_static_excess()) {
     const auto found = jumping_frequency(start);
@@ -157,7 +157,7 @@ std::optional<CurveNode> Thresholds::continued(const ForceExtremum& from) const 
 // running one pulls out, and up again.
 void Thresholds::follow_frequency() {
   followed_ = true;
-  const double free = waves_.modes().resonance;
+  const double free = waves_.resonance();
   if (!at_rest_) return;
   const ForcePlane plane = ForcePlane::of_frequency(waves_, 0);
   const double stuck = std::sqrt(free * free + waves_.contact_stiffness() / waves_.modes().mass);
@@ -201,7 +201,7 @@ std::optional<Threshold> Thresholds::jumping_frequency(bool start) {
   const auto excess = [&](const std::optional<ForceExtremum>& e) {
     return e ? std::log(e->force / waves_.drive()) : -1.0;
   };
-  const double free = waves_.modes().resonance / kTurn;
+  const double free = waves_.resonance() / kTurn;
   double low = frequency_, high = frequency_;
   std::optional<ForceExtremum> at_low = chosen(extrema(), start), at_high = at_low;
   while (excess(at_low) < 0 && low - free > kRules.nearest_frequency * free)

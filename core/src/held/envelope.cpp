@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace twum::core {
 namespace {
@@ -48,6 +49,12 @@ HeldStatus status_at(DriveEnd end) {
 
 }  // namespace
 
+double flank_lag(const MotorDesign& design, const HeldPoint& held) {
+  const auto modes = stator_modes(design);
+  if (!modes) return held.point.phase_lag;
+  return held.point.phase_lag - divider_lag(*modes, 2 * std::numbers::pi * held.frequency);
+}
+
 Envelope::Envelope(const MotorDesign& design)
     : design_(design), control_(control_of(design.stator)), largest_(largest_held_torque(design)) {}
 
@@ -75,7 +82,7 @@ DriveReserve Envelope::reserve(double torque, double speed) const {
   if (control_ == DriveControl::amplitude)
     return {share_over(design_.stator.amplitude, wave.amplitude), DriveEnd::amplitude, wave};
   const double share = share_over(*design_.stator.voltage, wave.voltage);
-  const double flank = -std::cos(wave.point.phase_lag);  // -R / H
+  const double flank = -std::cos(flank_lag(design_, wave));  // -R / H
   if (flank < share) return {flank, DriveEnd::upper_flank, wave};
   return {share, DriveEnd::voltage, wave};
 }
@@ -110,14 +117,15 @@ Envelope::Corner Envelope::at_speed(double speed) const {
 }
 
 // A load that brakes needs a crest faster than the rotor, somewhere on the track, and the drive overcomes at least the loss of the
-// stator: omega A is at most Theta u_0 / d_s. A motor without loss, or one that a load drives, has no such bound.
+// stator: omega A is at most Theta u_0 / d_s. A motor without loss, one that a load drives, or one with an inductance in front of it
+// has no such bound.
 double Envelope::highest_speed(double torque) const {
   constexpr double kAcross = 2;  // crest over rotor speed across a track, at most
   const DrivenWaves waves(design_, track_rule(without_drive(design_)));
   const double per_amplitude = waves.crest_speed_per_amplitude();
   if (torque >= 0 && control_ == DriveControl::amplitude)
     return kAcross * per_amplitude * design_.stator.amplitude;
-  if (torque >= 0 && waves.modes().damping > 0)
+  if (torque >= 0 && waves.modes().damping > 0 && !waves.modes().has_series())
     return kAcross * per_amplitude / waves.omega() * waves.drive() / waves.modes().damping;
   double speed = 1, last_held = 1;
   for (int k = 0; k < kDoublings && speed < 64 * last_held; ++k, speed *= 2)

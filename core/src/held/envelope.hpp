@@ -24,6 +24,10 @@ struct DriveReserve {
   HeldPoint wave;  ///< at R = 0 for `voltage` by frequency, else that of held_point()
 };
 
+/// Lag of a held wave in the frame of R and I, a quarter of a turn at R = 0: that behind the voltage, less what a series branch turns
+/// (D8.3) [rad].
+double flank_lag(const MotorDesign& design, const HeldPoint& held);
+
 /// The torques and speeds that a motor's drive holds.
 class Envelope {
  public:

@@ -159,7 +159,7 @@ template <typename T>
 WaveMotion<T> Differentiator::wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
                                           const WavePoint<DesignDualOf<T>>& point) {
   const auto modes = moving_modes(values_.modes(), motor.stator_damping);
-  return WaveMotion<T>(wave_balance(modes, point).force() -
+  return WaveMotion<T>(drive_balance(modes, point).force() -
                        moving_drive(modes, *design_.stator.voltage));
 }
 

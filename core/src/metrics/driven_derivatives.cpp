@@ -27,7 +27,7 @@ Derived Differentiator::at_pull_out(Metric metric) {
   const auto p = wave_point(motor, n, variable);
   const auto modes = moving_modes(values_.modes(), motor.stator_damping);
   const DesignDual2 excess =
-      wave_balance(modes, p).force() - moving_drive(modes, *design_.stator.voltage);
+      drive_balance(modes, p).force() - moving_drive(modes, *design_.stator.voltage);
   const DesignDual2 f = widened(point_metric(metric, n, variable, motor));
   constexpr int kAmplitude = static_cast<int>(model_index(Parameter::amplitude));
   DesignDual result(f.v.v);
@@ -50,7 +50,7 @@ Differentiator::RestForce Differentiator::force_at_rest(const Threshold& t, doub
   if (point.status != PointStatus::ok) throw SearchFailure{metric_status(point.status)};
   const auto modes = moving_modes(values_.modes(), motor.stator_damping);
   DesignDual force =
-      wave_balance(modes, wave_point(motor, point.differentiated(motor, rest), rest)).force();
+      drive_balance(modes, wave_point(motor, point.differentiated(motor, rest), rest)).force();
   force.d[kSpeedDirection] = force.d[model_index(Parameter::amplitude)] = 0;
   return {force, waves.in_amplitude(amplitude, 0).force_slope(),
           point.special ? Smoothness::smooth : smoothness_of(waves.motor(amplitude), point, 0)};

@@ -339,7 +339,7 @@ MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
           -(value.value + 1) / voltage, Parameter::voltage, 1 / voltage);
       break;
     case DriveEnd::upper_flank:  // -cos of the lag
-      set(keeping(rows.torque).along_wave(rows.lag), std::sin(there.wave.point.phase_lag),
+      set(keeping(rows.torque).along_wave(rows.lag), std::sin(flank_lag(design_, there.wave)),
           Parameter::voltage, 0);
       break;
     case DriveEnd::frequency: {

@@ -127,7 +127,9 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::stator_mass:
     case M::free_amplitude:
     case M::apparent_power_at:
-    case M::matching_inductance_at: break;
+    case M::matching_inductance_at:
+    case M::driver_loss_at:
+    case M::terminal_voltage_at: break;
   }
   return S(0.0);
 }
@@ -148,6 +150,7 @@ constexpr bool is_wave_metric(Metric metric) {
   return is_of_terminals(metric) || metric == M::phase_lag_at || metric == M::electrical_power_at ||
          metric == M::overall_efficiency_at || metric == M::phase_current_at ||
          metric == M::power_factor_at || metric == M::loaded_resonance ||
+         metric == M::driver_loss_at || metric == M::terminal_voltage_at ||
          metric == M::drive_voltage_at || metric == M::dielectric_loss_at ||
          metric == M::backward_ratio_at || metric == M::squeal_rate_at || needs_sensor(metric);
 }
@@ -157,9 +160,9 @@ template <typename S>
 bool needs_backward_wave(Metric metric, const StatorModes<S>& modes) {
   using M = Metric;
   if (metric == M::squeal_rate_at) return true;
-  return !modes.unequal.none() &&
-         (metric == M::backward_ratio_at || metric == M::phase_current_at ||
-          metric == M::power_factor_at || is_of_terminals(metric));
+  return !modes.unequal.none() && (metric == M::backward_ratio_at ||
+                                   metric == M::phase_current_at || metric == M::power_factor_at ||
+                                   metric == M::terminal_voltage_at || is_of_terminals(metric));
 }
 
 /// What a metric of the stator's modes is made of at a point.
@@ -170,11 +173,23 @@ struct WavePoint {
   S squeal_rate = S(0.0);              ///< of (D6.7)
 };
 
-/// The force that the wave of a point takes of the drive (D2.3) [N].
+/// The force that the wave of a point takes of the voltage at the terminals (D2.3) [N].
 template <typename S>
 WaveBalance<S> wave_balance(const StatorModes<S>& modes, const WavePoint<S>& p) {
   return wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
 }
+
+/// The force that it takes of the inverter's voltage (D8.3), in the frame of alpha times the voltage or in that of the voltage [N].
+/// @{
+template <typename S>
+WaveBalance<S> drive_balance(const StatorModes<S>& modes, const WavePoint<S>& p) {
+  return drive_balance(modes, wave_balance(modes, p), p.amplitude, p.omega);
+}
+template <typename S>
+WaveBalance<S> inverter_balance(const StatorModes<S>& modes, const WavePoint<S>& p) {
+  return inverter_balance(modes, wave_balance(modes, p), p.amplitude, p.omega);
+}
+/// @}
 
 /// The point with what a contact does to a backward wave.
 template <typename S>
@@ -184,7 +199,7 @@ WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes
     p.squeal_rate = free_backward_wave(contact, modes, modes.rotor_mass).rate;
     return p;
   }
-  const WaveBalance<S> w = wave_balance(modes, p);
+  const WaveBalance<S> w = inverter_balance(modes, p);
   p.backward = forced_backward_wave(contact, modes, w, p.amplitude);
   return p;
 }
@@ -198,7 +213,8 @@ S terminal_metric(Metric metric, const StatorModes<S>& modes, const WaveBalance<
   if (metric == Metric::apparent_power_at)
     return modes.unequal.none() ? S(2.0 * t.voltage * t.current) : S(t.power / t.power_factor);
   const S voltage = std::numbers::sqrt2 * t.voltage;
-  const S reactive = reactive_current(modes, w, p.amplitude, p.omega, voltage, p.backward);
+  const S reactive = reactive_current(modes, inverter_balance(modes, p), p.amplitude, p.omega,
+                                      voltage, p.backward);
   if (!(value_of(reactive) > 0)) throw SearchFailure{MetricStatus::undefined};
   return voltage / (p.omega * reactive);
 }
@@ -207,7 +223,9 @@ S terminal_metric(Metric metric, const StatorModes<S>& modes, const WaveBalance<
 /// @param force  of the voltage on the forward wave, Theta u_f [N]
 template <typename S>
 S free_amplitude(const StatorModes<S>& modes, const S& omega, const S& force) {
-  return force / wave_balance(modes, S(1.0), omega, S(0.0), S(0.0)).force();
+  return force /
+         drive_balance(modes, wave_balance(modes, S(1.0), omega, S(0.0), S(0.0)), S(1.0), omega)
+             .force();
 }
 
 /// A point metric of the stator's modes; S is double or carries derivatives.
@@ -217,14 +235,18 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   using std::sqrt;
   constexpr double kTurn = 2 * std::numbers::pi;
   const WaveBalance<S> w = wave_balance(modes, p);
-  if (metric == M::phase_lag_at) return argument(w.real, w.imaginary);  // (D2.4)
-  if (metric == M::loaded_resonance)                                    // (D3.1)
+  if (metric == M::phase_lag_at) {  // (D2.4)
+    const WaveBalance<S> inverter = inverter_balance(modes, p);
+    return argument(inverter.real, inverter.imaginary);
+  }
+  if (metric == M::loaded_resonance)  // (D3.1)
     return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /
            kTurn;
   if (metric == M::backward_ratio_at) return sqrt(p.backward.squared()) / p.amplitude;
   if (metric == M::squeal_rate_at) return p.squeal_rate;
   if (needs_sensor(metric)) {
-    const SensorSignal<S> signal = sensor_signal(modes, w, p.amplitude, p.omega);
+    const SensorSignal<S> signal =
+        sensor_signal(modes, inverter_balance(modes, p), p.amplitude, p.omega);
     return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
   }
   if (is_of_terminals(metric)) return terminal_metric(metric, modes, w, p);
@@ -234,6 +256,8 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   if (metric == M::dielectric_loss_at) return t.dielectric_loss;
   if (metric == M::phase_current_at) return t.current;
   if (metric == M::power_factor_at) return t.power_factor;
+  if (metric == M::driver_loss_at) return t.driver_loss;
+  if (metric == M::terminal_voltage_at) return t.terminal_voltage;
   return value_of(p.output_power) > 0 ? S(p.output_power / t.power) : S(0.0);  // (D4.3)
 }
 
@@ -300,7 +324,9 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::stator_mass: return to.of_plate(PlateNumber::stator_mass);
     case M::free_amplitude: return to.free_wave();
     case M::apparent_power_at:
-    case M::matching_inductance_at: break;
+    case M::matching_inductance_at:
+    case M::driver_loss_at:
+    case M::terminal_voltage_at: break;
     case M::ceramic_stress:
       return to.product(to.of_plate(PlateNumber::ceramic_stress),
                         to.at(M::amplitude_at, to.crossing(search.no_load(), to.fixed(0))));

@@ -96,7 +96,7 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::phase_lag_at, "phase_lag_at", "rad", A::speed_or_torque,
      "lag of the wave behind the voltage", kModes},
     {M::electrical_power_at, "electrical_power_at", "W", A::speed_or_torque,
-     "power at the terminals, both phases together", kModes},
+     "power out of the inverter, both phases together", kModes},
     {M::overall_efficiency_at, "overall_efficiency_at", "1", A::speed_or_torque,
      "output over electrical power; 0 where the output is negative", kModes},
     {M::phase_current_at, "phase_current_at", "A", A::speed_or_torque, "current of a phase, rms",
@@ -240,6 +240,10 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
      "inductance that, in parallel with a phase, takes its reactive current; undefined where this "
      "current is not capacitive",
      kModes},
+    {M::driver_loss_at, "driver_loss_at", "W", A::speed_or_torque,
+     "loss in driver_resistance, both phases together", kModes},
+    {M::terminal_voltage_at, "terminal_voltage_at", "V", A::speed_or_torque,
+     "voltage across a phase, behind driver_inductance and driver_resistance, rms", kModes},
 }};
 
 // A page has the texts besides (metrics_json()), and its core does without them.

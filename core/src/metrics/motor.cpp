@@ -166,9 +166,9 @@ std::vector<WaveState> Motor::wave_states(double speed) const {
   std::vector<WaveState> states;
   if (!drive_) return states;
   for (const core::WaveSolution& s : drive()->solutions(speed)) {
-    const core::WaveBalance<double>& b = s.wave().balance;
-    states.push_back({s.wave().amplitude, std::atan2(b.imaginary, b.real), s.stability.determinant,
-                      s.stability.trace, s.stability.stable(), s.running()});
+    states.push_back({s.wave().amplitude, drive()->waves().phase_lag(s.wave()),
+                      s.stability.determinant, s.stability.trace, s.stability.stable(),
+                      s.running()});
   }
   return states;
 }

@@ -4,7 +4,13 @@
 
 #include "drive/driven_wave.hpp"
 
+#include <twum/core/parameters.hpp>
+
 #include <algorithm>
+#include <complex>
+#include <memory>
+#include <numbers>
+#include <utility>
 
 namespace twum::core {
 namespace {
@@ -30,6 +36,33 @@ void add_speed(WaveRows& rows, const Motor& motor, double speed, double voltage)
   rows.lag.in_speed = (w.real * slope.imaginary - w.imaginary * slope.real) / square;
 }
 
+// Of the angle of 1 + Z_s Y, by which the frame of R and I lags behind the voltage (D8.2): that of x is Im((1 + Z_s Y)_x / (1 + Z_s Y)).
+Row divider_row(const MotorDesign& design, bool fixed_static_friction) {
+  Row row;
+  const auto modes = stator_modes(design);
+  if (!modes || !modes->series) return row;
+  using Complex = std::complex<double>;
+  const double omega = 2 * std::numbers::pi * drive_frequency(design);
+  const Complex i{0, 1}, loss{modes->loss_tangent, 1};
+  const Complex impedance{modes->series->resistance, omega * modes->series->inductance};
+  const Complex admittance = omega * modes->capacitance * loss;
+  const Complex blocked = 1.0 + impedance * admittance;
+  const std::pair<Parameter, Complex> slopes[] = {
+      {Parameter::frequency,
+       2 * std::numbers::pi *
+           (i * modes->series->inductance * admittance + impedance * modes->capacitance * loss)},
+      {Parameter::driver_inductance, i * omega * admittance},
+      {Parameter::driver_resistance, admittance},
+      {Parameter::blocked_capacitance, impedance * omega * loss},
+      {Parameter::loss_tangent, impedance * omega * modes->capacitance}};
+  const auto moves =
+      std::make_unique<ParameterJacobian>(parameter_jacobian(design, fixed_static_friction));
+  for (const auto& [parameter, slope] : slopes)
+    for (std::size_t p = 0; p < kParameterCount; ++p)
+      row.in[p] += (slope / blocked).imag() * (*moves)[index_of(parameter)][p];
+  return row;
+}
+
 }  // namespace
 
 WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_static_friction) {
@@ -46,7 +79,8 @@ WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_stat
     rows.torque.in_speed = differentiate_in_speed(motor, speed).torque;
     return rows;
   }
-  rows.voltage = row_of(found[1]), rows.lag = row_of(found[2]);
+  rows.voltage = row_of(found[1]);
+  rows.lag = combined(row_of(found[2]), 1, divider_row(motor.design(), fixed_static_friction), -1);
   add_speed(rows, motor, speed, found[1].value.value);
   return rows;
 }

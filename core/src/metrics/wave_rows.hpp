@@ -19,7 +19,8 @@ struct Row {
 
 /// What determines a wave that a drive holds: derivatives of a motor of given amplitude and frequency at a speed.
 struct WaveRows {
-  Row torque, voltage, lag;
+  Row torque, voltage;
+  Row lag;  ///< of R + i I (D2.4, D8.3)
   Smoothness smoothness{Smoothness::smooth};
 };
 

@@ -59,6 +59,10 @@ inline constexpr std::array kDriveParameters{Parameter::resonance_frequency,
                                              Parameter::sensor_capacitance,
                                              Parameter::sensor_load_capacitance,
                                              Parameter::sensor_load_resistance,
+#ifndef __wasm__  // see kHasSeriesBranch
+                                             Parameter::driver_inductance,
+                                             Parameter::driver_resistance,
+#endif
                                              Parameter::sensor_position};
 
 /// Direction of a parameter in kDriveParameters.

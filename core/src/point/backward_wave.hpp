@@ -98,24 +98,33 @@ Phasor<S> backward_stiffness(const DisturbedContact<S>& contact, const S& freque
   return sum;
 }
 
-/// z of the backward wave that unequal phases and modes drive (D6.5) [m].
+/// z of the backward wave that unequal phases and modes drive (D6.5, D8.6) [m].
+/// @param w  inverter_balance()
 template <typename S>
 Phasor<S> forced_backward_wave(const DisturbedContact<S>& contact, const StatorModes<S>& m,
                                const WaveBalance<S>& w, const S& amplitude) {
   const S force = w.force(), omega = contact.omega, share = m.unequal.share();
-  const Phasor<S> driven = S(force / share) * m.unequal.backward();
+  Phasor<S> driven = S(force / share) * m.unequal.backward();
   const Phasor<S> lag =
       (1.0 / (force * share)) * (Phasor<S>{w.real, w.imaginary} * m.unequal.forward().conjugate());
   const S split = m.mass * m.resonance * m.resonance * m.unequal.mode_splitting * amplitude;
-  const Phasor<S> stiffness = backward_stiffness(contact, omega, m.rotor_mass) +
-                              Phasor<S>{dynamic_stiffness(m, omega), -(omega * m.damping)};
+  Phasor<S> stiffness = backward_stiffness(contact, omega, m.rotor_mass) +
+                        Phasor<S>{dynamic_stiffness(m, omega), -(omega * m.damping)};
+  if (m.has_series()) {  // it turns the other way
+    const SeriesAction<S> a = series_action(m, omega);
+    driven = driven / a.blocked.conjugate();
+    stiffness = stiffness + a.stiffness().conjugate();
+  }
   return (driven - split * lag) / stiffness;
 }
 
-/// The free backward wave: its frequency, and the rate at which it grows (D6.7).
+/// The free backward wave (D6.7).
 template <typename S>
 struct FreeBackwardWave {
-  S frequency, rate;
+  S frequency;  ///< [rad/s]
+  S rate;       ///< at which it grows [1/s]
+  S damping,
+      mass;  ///< without the contact: d_s and m_s, with a series branch those of (D8.6) [N s/m, kg]
 };
 
 template <typename S>
@@ -128,12 +137,22 @@ FreeBackwardWave<S> free_backward_wave(const DisturbedContact<S>& contact,
   Phasor<S> stiffness{S(0.0), S(0.0)};
   // The contact hardly depends on the frequency, so each step gains two digits, also in derivatives.
   constexpr int kSteps = 14;
+  S damping = modes.damping, mass = modes.mass;
   for (int i = 0; i < kSteps; ++i) {
     stiffness = backward_stiffness(contact, frequency, rotor_mass);
-    frequency = sqrt(S((stator + stiffness.real) / modes.mass));
+    if (!modes.has_series()) {
+      frequency = sqrt(S((stator + stiffness.real) / modes.mass));
+      continue;
+    }
+    const Phasor<S> beta = series_action(modes, frequency).stiffness();
+    mass = modes.mass - series_mass(modes, frequency);
+    damping = modes.damping + beta.imaginary / frequency;
+    const S square = frequency * frequency;
+    frequency =
+        sqrt(S(square + (stator + stiffness.real + beta.real - modes.mass * square) / mass));
   }
-  const S twice = 2.0 * modes.mass;
-  return {frequency, stiffness.imaginary / (twice * frequency) - modes.damping / twice};
+  const S twice = 2.0 * mass;
+  return {frequency, stiffness.imaginary / (twice * frequency) - damping / twice, damping, mass};
 }
 
 }  // namespace twum::core

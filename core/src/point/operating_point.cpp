@@ -17,7 +17,8 @@ constexpr OperatingPoint kNoAnswer = [] {
        {&point.torque, &point.output_power, &point.stator_power, &point.friction_power,
         &point.layer_loss, &point.stator_loss, &point.wear_intensity, &point.stick_fraction,
         &point.reactive_force, &point.amplitude, &point.phase_lag, &point.voltage,
-        &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor})
+        &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor,
+        &point.driver_loss, &point.terminal_voltage})
     *number = kNoValue;
   return point;
 }();
@@ -26,19 +27,22 @@ void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
                    const StatorModes<double>& modes) {
   const WaveBalance<double> wave =
       wave_balance(modes, m.mean.amplitude, m.omega, point.reactive_force, point.stator_power);
+  const WaveBalance<double> inverter = inverter_balance(modes, wave, m.mean.amplitude, m.omega);
   Phasor<double> backward{0, 0};
   if (!modes.unequal.none()) {
     backward = {kNoValue, kNoValue};
     if (const auto contact = disturbed_contact(m, point.speed))
-      backward = forced_backward_wave(*contact, modes, wave, m.mean.amplitude);
+      backward = forced_backward_wave(*contact, modes, inverter, m.mean.amplitude);
   }
   const Terminals<double> t = terminals(modes, wave, m.mean.amplitude, m.omega, backward);
-  point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
+  point.phase_lag = std::atan2(inverter.imaginary, inverter.real);  // (D2.4)
   point.voltage = t.voltage;
   point.phase_current = t.current;
   point.dielectric_loss = t.dielectric_loss;
   point.electrical_power = t.power;
   point.power_factor = t.power_factor;
+  point.driver_loss = t.driver_loss;
+  point.terminal_voltage = t.terminal_voltage;
 }
 
 }  // namespace
@@ -75,12 +79,15 @@ BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& s
     return wave;
   }
   if (contact) {
-    wave.squeal_rate = free_backward_wave(*contact, *modes, rotor_mass).rate;
-    wave.fed_damping = 2 * modes->mass * wave.squeal_rate + modes->damping;  // (D6.7, D6.8)
+    const FreeBackwardWave<double> free = free_backward_wave(*contact, *modes, rotor_mass);
+    wave.squeal_rate = free.rate;
+    wave.fed_damping = 2 * free.mass * free.rate + free.damping;  // (D6.7, D6.8)
   }
   const WaveBalance<double> forward =
-      wave_balance(*modes, m.mean.amplitude, m.omega, solved.numbers.reactive_force,
-                   solved.numbers.stator_power);
+      inverter_balance(*modes,
+                       wave_balance(*modes, m.mean.amplitude, m.omega,
+                                    solved.numbers.reactive_force, solved.numbers.stator_power),
+                       m.mean.amplitude, m.omega);
   Phasor<double> backward{0, 0};
   if (!modes->unequal.none()) {
     if (!contact) return wave;

@@ -59,6 +59,8 @@ void require_loop(const MotorDesign& design, const MotionTask& task, const Posit
   require_range(c.range, Actuator::frequency);
   if (c.slew && !(*c.slew > 0)) throw InputError("slew of a loop must be more than 0");
   if (c.gain && !(*c.gain > 0)) throw InputError("gain of a position loop must be more than 0");
+  if (!(c.braking > 0 && c.braking <= 1))
+    throw InputError("braking of a position loop must be more than 0 and at most 1");
   if (!(c.window >= 1)) throw InputError("window of a position loop must be 1 count or more");
   if (!(c.off_time >= 0)) throw InputError("off_time of a position loop must be 0 s or more");
   if (task.engine == MotionEngine::oscillating && !design.rotor.mass)

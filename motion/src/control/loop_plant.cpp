@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,37 +15,38 @@ namespace twum::motion {
 namespace {
 
 constexpr std::size_t kSpeedState = 2;
-constexpr Eigen::Index kLoopStates = 4, kAngleRow = 3;
+constexpr Eigen::Index kAngleRow = 3;
+constexpr std::size_t kSlowPoles = 3;  // of wave and rotor; those of a driver's circuit are faster
 
 std::size_t input_of(Actuator actuator) { return actuator == Actuator::voltage ? 0 : 1; }
 
 // x1 = Phi x + Gamma u over a sample with a held input u; angle, speed, phase and amplitude in units of their sizes.
 struct SampledPlant {
-  Eigen::Matrix4d phi;
-  Eigen::Vector4d gamma;
+  Eigen::MatrixXd phi;
+  Eigen::VectorXd gamma;
 
   SampledPlant(const LinearPlant& plant, Actuator actuator, double sample_time) {
-    Eigen::Vector4d unit;
-    unit << plant.states[0].steady, 1, plant.states[2].steady, 1;
-    Eigen::Matrix<double, 5, 5> joint = Eigen::Matrix<double, 5, 5>::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      for (std::size_t j = 0; j < 4; ++j) {
-        const auto column = static_cast<Eigen::Index>(j);
-        joint(row, column) = plant.a[i][j] * unit[column] / unit[row];
-      }
-      joint(row, 4) = plant.b[i][input_of(actuator)] / unit[row];
+    const auto states = static_cast<Eigen::Index>(plant.states.size());
+    Eigen::VectorXd unit = Eigen::VectorXd::Ones(states);
+    unit[0] = plant.states[0].steady, unit[2] = plant.states[2].steady;
+    Eigen::MatrixXd joint = Eigen::MatrixXd::Zero(states + 1, states + 1);
+    for (Eigen::Index row = 0; row < states; ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      for (Eigen::Index column = 0; column < states; ++column)
+        joint(row, column) =
+            plant.a[i][static_cast<std::size_t>(column)] * unit[column] / unit[row];
+      joint(row, states) = plant.b[i][input_of(actuator)] / unit[row];
     }
-    const Eigen::Matrix<double, 5, 5> sampled = (joint * sample_time).exp();
-    phi = sampled.topLeftCorner<4, 4>();
-    gamma = sampled.topRightCorner<4, 1>();
+    const Eigen::MatrixXd sampled = (joint * sample_time).exp();
+    phi = sampled.topLeftCorner(states, states);
+    gamma = sampled.topRightCorner(states, 1);
   }
 
   // Of the speed as a difference of angles, (1 - 1/z) / T_s times the angle's.
   std::complex<double> speed(std::complex<double> z, double sample_time) const {
-    const Eigen::Matrix4cd left =
-        z * Eigen::Matrix4cd::Identity() - phi.cast<std::complex<double>>();
-    const Eigen::Vector4cd x = left.partialPivLu().solve(gamma.cast<std::complex<double>>());
+    const Eigen::MatrixXcd left =
+        z * Eigen::MatrixXcd::Identity(phi.rows(), phi.cols()) - phi.cast<std::complex<double>>();
+    const Eigen::VectorXcd x = left.partialPivLu().solve(gamma.cast<std::complex<double>>());
     return (1.0 - 1.0 / z) / sample_time * x[kAngleRow];
   }
 };
@@ -59,12 +61,19 @@ double crossing(double low, double high, const std::function<double(double)>& of
   return std::sqrt(low * high);
 }
 
+// Largest real part of the three poles next to zero.
+double slowest_rate(std::vector<std::complex<double>> poles) {
+  std::ranges::sort(poles, {}, [](const std::complex<double>& p) { return std::abs(p); });
+  poles.resize(std::min(poles.size(), kSlowPoles));
+  return std::abs(std::ranges::max(poles, {}, [](const auto& p) { return p.real(); }).real());
+}
+
 }  // namespace
 
 LoopPlant loop_plant(const LinearPlant& plant, Actuator actuator) {
   const std::size_t input = input_of(actuator);
   return {plant.inputs[input].steady, plant.states[kSpeedState].steady,
-          plant.gains[kSpeedState][input], 1 / std::abs(plant.poles.front().real()), plant.poles};
+          plant.gains[kSpeedState][input], 1 / slowest_rate(plant.poles), plant.poles};
 }
 
 LoopGains loop_gains(const LoopPlant& plant, double sample_time, int delay) {

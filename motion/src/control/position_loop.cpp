@@ -8,7 +8,6 @@
 namespace twum::motion {
 namespace {
 
-constexpr double kBrakeShare = 0.5;      // beta, of the deceleration by friction alone
 constexpr double kShortestBurst = 0.05;  // of a sample
 
 }  // namespace
@@ -47,7 +46,7 @@ PositionLoop::Drive PositionLoop::asked(double time, double error, double speed)
     return off();
   }
   // w = kp e, and no more than it can brake, sqrt(2 beta alpha |e|)  (M8.2)
-  const double most = std::sqrt(2 * kBrakeShare * deceleration_ * std::abs(error));
+  const double most = std::sqrt(2 * control_.braking * deceleration_ * std::abs(error));
   const double wanted = std::clamp(*control_.gain * error, -most, most);
   const double direction = wanted < 0 ? -1 : 1;
   if (direction != next_direction_) {

@@ -84,6 +84,7 @@ OscillatingRun::OscillatingRun(const MotorDesign& design, const MotionTask& task
 void OscillatingRun::begin(const Stretch& first) {
   stretch_ = first;
   double speed = task_.initial.speed;
+  Complex voltage = 0, current = 0;  // of the terminals behind a series branch
   Complex zeta = std::polar(task_.initial.amplitude, -task_.initial.phase_lag);
   if (task_.initial.steady) {
     const MotorDesign equal = with_equal_phases(design_);
@@ -91,11 +92,17 @@ void OscillatingRun::begin(const Stretch& first) {
     equations.set_stretch(first);
     const States y = steady_state(equal, equations);
     speed = y[kSpeed], zeta = {y[kReal], y[kImaginary]};
+    const auto terminals = equations.electrical(first.begin, y);
+    voltage = terminals.voltage, current = terminals.current;
   }
   if (speed != 0 || zeta != Complex{}) lead_in(first, zeta, speed);
   WavesState state = waves_.state();
   state.angle = task_.initial.angle, state.rise = 0;
   state.voltage = acting_at(0).voltage;
+  if (model_.has_series()) {
+    state.voltage = {voltage.real(), first.direction * voltage.imag()};
+    state.current = {current.real(), first.direction * current.imag()};
+  }
   waves_.set_state(state);
   waves_.take_work();
   later_ = first_sample(speed, zeta);

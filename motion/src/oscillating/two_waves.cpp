@@ -40,6 +40,35 @@ void TwoWaves::set_step(double duration) {
   if (duration == duration_) return;
   duration_ = duration;
   for (std::size_t i = 0; i < 2; ++i) drifts_[i] = drift_of(stiffness_[i]);
+  if (model_->has_series()) circuit_ = circuit_of();
+}
+
+// L_s I' = V - u - R_s I,  C_0 u' = I - G u - Theta w'  (M3.1) in the frame of the stator. With the mean rate c and its square's rest
+// s^2 = c^2 - det of the matrix M: e^(M t) = e^(c t) [cosh(s t) + (M - c) sinh(s t) / s], and the source acts by M^-1 (e^(M t) - 1).
+TwoWaves::Circuit TwoWaves::circuit_of() const {
+  const double L = model_->series_inductance, R = model_->series_resistance,
+               C = model_->capacitance, t = duration_;
+  if (L == 0) {  // C_0 u' = (V - u) / R_s - G u - Theta w'
+    const double rate = (1 / R + conductance_) / C, left = std::exp(-rate * t);
+    const double gained = (1 - left) / (rate * C);
+    return {{{0, 0}, {0, left}}, {{0, 0}, {gained / R, gained}}};
+  }
+  const double a = -R / L, b = -1 / L, c = 1 / C, d = -conductance_ / C;
+  const double mean = 0.5 * (a + d), determinant = a * d - b * c;
+  const Complex rate = std::sqrt(Complex{mean * mean - determinant, 0});
+  const double cosine = std::cosh(rate * t).real();
+  const double sine = std::abs(rate) * t > 1e-9 ? (std::sinh(rate * t) / rate).real() : t;
+  const double left = std::exp(mean * t);
+  const double e[2][2] = {{left * (cosine + (a - mean) * sine), left * b * sine},
+                          {left * c * sine, left * (cosine + (d - mean) * sine)}};
+  Circuit circuit{{{e[0][0], e[0][1]}, {e[1][0], e[1][1]}}, {}};
+  for (int j = 0; j < 2; ++j) {
+    const double top = e[0][j] - (j == 0 ? 1 : 0), bottom = e[1][j] - (j == 1 ? 1 : 0);
+    const double per = j == 0 ? 1 / L : 1 / C;
+    circuit.source[0][j] = (d * top - b * bottom) / determinant * per;
+    circuit.source[1][j] = (a * bottom - c * top) / determinant * per;
+  }
+  return circuit;
 }
 
 // With decay c = d_s / 2 m_s and rate s, s^2 = c^2 - k / m_s: x(t) = e^(-c t) [x cosh(s t) + (v + c x) sinh(s t) / s].
@@ -56,19 +85,21 @@ TwoWaves::Drift TwoWaves::drift_of(double stiffness) const {
 
 void TwoWaves::step(const ActingNow& before, const ActingNow& after) {
   kick(before);
-  drift(after);
+  drift(before, after);
   kick(after);
 }
 
 void TwoWaves::kick(const ActingNow& acting) {
   const double half = duration_ / 2, theta = model_->force_factor;
+  const bool fed = model_->has_series() && !acting.off;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!acting.off) state_.voltage[i] = acting.voltage[i];
+    if (!acting.off && !fed) state_.voltage[i] = acting.voltage[i];
     const double drive = theta * state_.voltage[i];
     const double before = state_.velocity[i];
     state_.velocity[i] += half * (drive + force_[i]) / model_->mass;
     const double way = half * (before + state_.velocity[i]) / 2;
-    work_.drive += way * drive + half * conductance_ * state_.voltage[i] * state_.voltage[i];
+    work_.drive += fed ? half * acting.voltage[i] * current(acting, i)
+                       : way * drive + half * conductance_ * state_.voltage[i] * state_.voltage[i];
     work_.contact -= way * force_[i];
   }
   work_.impulse += half * torque_;
@@ -85,7 +116,38 @@ void TwoWaves::kick(const ActingNow& acting) {
                 (1 + per_force * axial_damping_);
 }
 
-void TwoWaves::drift(const ActingNow& acting) {
+// Of a phase that is fed through a series branch.
+double TwoWaves::current(const ActingNow& acting, std::size_t phase) const {
+  if (model_->series_inductance != 0) return state_.current[phase];
+  return (acting.voltage[phase] - state_.voltage[phase]) / model_->series_resistance;
+}
+
+// C_0 u' = -u / R - Theta w' with w' constant over the step: exact, and u = -R Theta w' without a capacitance.
+void TwoWaves::lie_on_resistance(const Two& way) {
+  const double resistance = 1 / (1 / model_->off_resistance + conductance_);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double source = -resistance * model_->force_factor * way[i] / duration_;
+    const double left = model_->off_resistance == 0 || model_->capacitance == 0
+                            ? 0
+                            : std::exp(-duration_ / (resistance * model_->capacitance));
+    state_.voltage[i] = source + left * (state_.voltage[i] - source);
+  }
+  state_.current = {};  // the coil is switched off
+}
+
+void TwoWaves::feed(const Two& voltage, const Two& way) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double in[2] = {voltage[i], -model_->force_factor * way[i] / duration_};
+    const double I = state_.current[i], u = state_.voltage[i];
+    const auto next = [&](int row) {
+      return circuit_.left[row][0] * I + circuit_.left[row][1] * u +
+             circuit_.source[row][0] * in[0] + circuit_.source[row][1] * in[1];
+    };
+    state_.current[i] = next(0), state_.voltage[i] = next(1);
+  }
+}
+
+void TwoWaves::drift(const ActingNow& before, const ActingNow& acting) {
   Two way{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double x = state_.displacement[i], v = state_.velocity[i];
@@ -94,17 +156,12 @@ void TwoWaves::drift(const ActingNow& acting) {
     state_.velocity[i] = d.vx * x + d.vv * v;
     way[i] = state_.displacement[i] - x;
   }
-  if (acting.off) {
-    // C_0 u' = -u / R - Theta w' with w' constant over the step: exact, and u = -R Theta w' without a capacitance.
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double resistance = 1 / (1 / model_->off_resistance + conductance_);
-      const double source = -resistance * model_->force_factor * way[i] / duration_;
-      const double left = model_->off_resistance == 0 || model_->capacitance == 0
-                              ? 0
-                              : std::exp(-duration_ / (resistance * model_->capacitance));
-      state_.voltage[i] = source + left * (state_.voltage[i] - source);
-    }
-  }
+  if (acting.off)
+    lie_on_resistance(way);
+  else if (model_->has_series())
+    feed({0.5 * (before.voltage[0] + acting.voltage[0]),
+          0.5 * (before.voltage[1] + acting.voltage[1])},
+         way);
   state_.angle += duration_ * state_.speed;
   state_.height += duration_ * state_.rise;
   move_contact(way, duration_);

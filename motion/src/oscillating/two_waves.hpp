@@ -13,7 +13,7 @@ using Two = std::array<double, 2>;
 
 /// What acts on a motor at one instant of the vibration.
 struct ActingNow {
-  Two voltage;         ///< of the phases while the drive is on [V]
+  Two voltage;         ///< of the inverter at the phases while the drive is on [V]
   bool off;            ///< the phases lie on off_resistance
   double load_torque;  ///< T_L [N m]
 };
@@ -22,6 +22,7 @@ struct ActingNow {
 struct WavesState {
   Two displacement{}, velocity{};  ///< of the modes, w_c and w_s
   Two voltage{};                   ///< at the terminals of the phases
+  Two current{};                   ///< through the inductance of the driver
   double angle{0}, speed{0};       ///< theta_r, Omega
   double height{0}, rise{0};       ///< of the rotor's face z, and its velocity
 };
@@ -67,8 +68,17 @@ class TwoWaves {
     double xx, xv, vx, vv;
   };
   Drift drift_of(double stiffness) const;
+  // One phase with its capacitance behind an inductance (index 0) and a resistance: x1 = left x + source (V, -Theta w') of
+  // x = (I, u), exact for constant V and w'. Without an inductance I follows.
+  struct Circuit {
+    double left[2][2], source[2][2];
+  };
+  Circuit circuit_of() const;
+  double current(const ActingNow& acting, std::size_t phase) const;
   void kick(const ActingNow& acting);
-  void drift(const ActingNow& acting);
+  void drift(const ActingNow& before, const ActingNow& acting);
+  void lie_on_resistance(const Two& way);
+  void feed(const Two& voltage, const Two& way);
   void move_contact(const Two& way, double duration);
   bool is_light() const { return rotor_mass_ == 0; }
 
@@ -86,6 +96,7 @@ class TwoWaves {
   double pressure_;   // mean
   double duration_{0};
   std::array<Drift, 2> drifts_{};
+  Circuit circuit_{};
   WavesWork work_{};
 };
 

@@ -319,8 +319,10 @@ export class DesignerPanel {
 
   showNotes() {
     const notes = this.core.notes(true);
-    if (this.state.opened.besides['stator.radial_motion'] === 'true')
-      notes.unshift('radial motion is left out on this page');
+    const {besides} = this.state.opened;
+    if (besides['stator.radial_motion'] === 'true') notes.unshift('radial motion is left out on this page');
+    if (parseFloat(besides['driver.inductance']) || parseFloat(besides['driver.resistance']))
+      notes.unshift('the driver is ideal on this page');
     this.tell(notes.map((note) => 'Note: ' + note + '.').join(' '));
   }
 

@@ -27,6 +27,7 @@ class MotionCheck {
   void check() {
     check_motor();
     check_entries_of_drive();
+    check_axial_motion();
     if (oscillates()) check_motor_of_two_waves();
     if (!oscillates()) check_one_wave();
     if (study_.control) check_control(*study_.control);
@@ -67,14 +68,29 @@ class MotionCheck {
 
   void check_motor() {
     if (!motor_.rotor.inertia && !varies(Parameter::rotor_inertia))
-      say_of_motor("it has no rotor_inertia, which a motion needs",
-                   "give rotor.inertia in the motor file, such as 7e-6 kg.m^2");
+      say_of_motor("rotor_inertia is missing, which a motion needs",
+                   "give rotor.inertia, such as 7e-6 kg.m^2");
     if (!oscillates() && motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
-      say_of_motor("its phases or modes are unequal (stator.imbalance), but a motion has one wave",
-                   "leave them out");
+      say_of_motor("phases or modes are unequal (stator.imbalance), but a motion has one wave",
+                   "leave out voltage_ratio, phase_error and mode_splitting");
     if (motor_.stator.radial_motion)
       say_of_motor("its surface also moves radially, with which a motion would take hours",
                    "write 'radial_motion: false' under stator");
+  }
+
+  // What an axial motion of the averaged engine needs; the other engine has it anyway.
+  void check_axial_motion() {
+    if (study_.axial != motion::AxialMotion::dynamic) return;
+    if (oscillates())
+      return say("axial",
+                 "an axial motion for the oscillating engine, which has it with rotor_mass",
+                 "leave it out");
+    if (!(motor_.rotor.mass.value_or(0) > 0) && !varies(Parameter::rotor_mass))
+      say_of_motor("it has no rotor_mass, which 'axial: dynamic' needs",
+                   "give rotor.mass in the motor file, such as 0.1 kg");
+    if (motor_.stator.radial_slices != 1 && !varies(Parameter::radial_slices))
+      say_of_motor("radial_slices is not 1, but 'axial: dynamic' has one contact radius",
+                   "write 'radial_slices: 1' under stator");
   }
 
   bool oscillates() const { return study_.engine == motion::MotionEngine::oscillating; }
@@ -156,6 +172,8 @@ class MotionCheck {
     positive("sample_time", control.sample_time, "s");
     if (control.slew) positive("slew", control.slew->value, "1/s");
     if (control.gain) positive("gain", *control.gain, "1/s");
+    if (!(control.braking > 0 && control.braking <= 1))
+      say("control.braking", number_text_of(control.braking), "expected more than 0, at most 1");
     if (control.off_time < 0)
       say("control.off_time", engineering(control.off_time, "s"), "expected 0 s or more");
     const auto backward = [](const motion::Profile::Row& row) { return row.second < 0; };

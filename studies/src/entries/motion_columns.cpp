@@ -56,7 +56,7 @@ constexpr std::array kEvents{
     motion::MotionEventKind::pulled_out,   motion::MotionEventKind::overruns,
     motion::MotionEventKind::switched_off, motion::MotionEventKind::switched_on,
     motion::MotionEventKind::swapped,      motion::MotionEventKind::squeals,
-    motion::MotionEventKind::bounces};
+    motion::MotionEventKind::bounces,      motion::MotionEventKind::too_fast};
 
 const MeasureName& measure_named(std::string_view name) {
   const auto found = std::ranges::find(kMeasures, name, &MeasureName::name);

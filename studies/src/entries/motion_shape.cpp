@@ -173,6 +173,11 @@ Shape<MotionControl> position_shape(const Shape<std::vector<LoopValue>>& range) 
            &C::slew, "any")),
        optional<C>("gain", quantity("speed over the way that is left", "1/s", "150 1/s"), &C::gain,
                    "1 over three times the dead time"),
+       hidden(standard<C>("braking",
+                          quantity("share of the friction's deceleration that the speed asked for "
+                                   "takes; less for a motor that coasts",
+                                   "1", "0.5"),
+                          &C::braking)),
        standard<C>("window",
                    count("counts from the goal within which the drive stays off", "2", 1, 1e6),
                    &C::window),
@@ -244,6 +249,12 @@ Shape<MotionStudy> MotionStudy::shape() {
                {motion::MotionEngine::averaged, motion::MotionEngine::oscillating}),
            &M::engine)),
        hidden(optional<M>("accuracy", accuracy_shape(), &M::accuracy, "1")),
+       hidden(standard<M>("axial",
+                          word<motion::AxialMotion>(
+                              "the rotor's axial position with the averaged engine: balanced "
+                              "at every instant, or moved by its mass",
+                              {"static", "dynamic"}),
+                          &M::axial)),
        standard<M>("initial", initial_shape(), &M::initial),
        hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),
        hidden(optional<M>("control", control_shape(), &M::control, "none")),

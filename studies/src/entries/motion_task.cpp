@@ -68,7 +68,7 @@ motion::PositionControl position_control(const MotionControl& asked, const Motor
   control.delay = common.delay, control.range = common.range, control.slew = common.slew;
   if (common.encoder) control.encoder = *common.encoder;
   control.gain = asked.gain, control.window = static_cast<double>(asked.window);
-  control.off_time = asked.off_time;
+  control.off_time = asked.off_time, control.braking = asked.braking;
   return control;
 }
 
@@ -82,7 +82,7 @@ motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& moto
   task.switched_off = asked.drive.switched_off;
   task.reversed = asked.drive.reversed;
   if (asked.drive.phase_difference) task.phase_difference = *asked.drive.phase_difference;
-  task.engine = asked.engine;
+  task.engine = asked.engine, task.axial = asked.axial;
   task.accuracy = asked.accuracy.value_or(1);
   return task;
 }

@@ -237,9 +237,11 @@ class KeptRun {
   }
 
   void write_results(StudyResult& result) {
-    folder_.write(ResultFolder::kTable, [&](const std::function<void(std::string_view)>& put) {
+    const auto fill = [&](const std::function<void(std::string_view)>& put) {
       set_failures(result, write_rows(*store_, kind_->columns(), kind_->variables(), put));
-    });
+    };
+    folder_.write(ResultFolder::kTable, fill);
+    if (file_.kind() == StudyKind::motion) folder_.write(ResultFolder::kMotion, fill);
     folder_.write(ResultFolder::kSummary, summary_json(result));
     for (const FoundMotor& found : found_motors(file_, result)) {
       folder_.write(found.file, found_motor_text(found, result));

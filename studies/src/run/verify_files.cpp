@@ -53,7 +53,9 @@ FailureCount verify_table(const StudyKindRun& kind, const ResultStore& store,
   TextComparison table(path);
   FailureCount failures = write_rows(store, kind.columns(), kind.variables(),
                                      [&](std::string_view piece) { table.see(piece); });
-  if (!table.same()) complain(found, "results.csv: is not what results.db holds");
+  if (!table.same())
+    complain(found,
+             std::filesystem::path(path).filename().string() + ": is not what results.db holds");
   return failures;
 }
 

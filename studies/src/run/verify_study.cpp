@@ -27,6 +27,8 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
     return found;
   }
   const FailureCount failures = verify_table(kind, store, folder.file(ResultFolder::kTable), found);
+  if (file.kind() == StudyKind::motion)
+    verify_table(kind, store, folder.file(ResultFolder::kMotion), found);
   StudyResult result = result_of(file, kind, store, from_summary(path, [&] {
                                    return verify_answer(kind, store, summary, options.stop, found);
                                  }));

@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPart = ".part";
 constexpr std::string_view kInputs = "inputs/";
-constexpr std::array<std::string_view, 7> kResults{"study.yaml",  "results.csv", "summary.json",
-                                                   "report.html", "best.yaml",   "fitted.yaml",
-                                                   "results.db"};
+constexpr std::array<std::string_view, 8> kResults{"study.yaml",   "results.csv", "motion.csv",
+                                                   "summary.json", "report.html", "best.yaml",
+                                                   "fitted.yaml",  "results.db"};
 // Folders of numbered motor files, such as 01.yaml: points of a front, motors that fit equally well, fitted motors
 // of several tables.
 constexpr std::array<std::string_view, 3> kNumbered{"front", "optima", "fitted"};

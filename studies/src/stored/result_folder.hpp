@@ -44,6 +44,7 @@ class ResultFolder {
   static constexpr std::string_view kDatabase = "results.db";
   static constexpr std::string_view kStudy = "study.yaml";
   static constexpr std::string_view kTable = "results.csv";
+  static constexpr std::string_view kMotion = "motion.csv";  // the table of a motion again
   static constexpr std::string_view kSummary = "summary.json";
   static constexpr std::string_view kReport = "report.html";
 

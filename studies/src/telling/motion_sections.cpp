@@ -35,6 +35,7 @@ const char* event_words(MotionEventKind kind) {
     case MotionEventKind::swapped: return "the phases are swapped";
     case MotionEventKind::squeals: return "a backward wave has grown";
     case MotionEventKind::bounces: return "the rotor begins to hop";
+    case MotionEventKind::too_fast: return "too fast for a periodic contact";
   }
   return "";
 }

@@ -40,7 +40,7 @@ The last one writes a gain schedule: a plant and the gains of a loop of the spee
 struct LinearizeOptions {
   MotorOptions motor;
   OutputOptions output;
-  std::string torque, inertia;
+  std::string torque, inertia, axial;
   std::string from, to, points, sample_time, delay;  // of a gain schedule
 };
 
@@ -282,7 +282,9 @@ int run_linearize(const LinearizeOptions& options) {
   const double torque = options.torque.empty() ? 0 : parse_torque("--torque", options.torque);
   if (!options.from.empty() || !options.to.empty())
     return write_schedule(options, file, torque, output);
-  const LinearPlant plant = motion::linearize(file.design, torque);
+  const LinearPlant plant = motion::linearize(
+      file.design, torque,
+      options.axial == "dynamic" ? motion::AxialMotion::dynamic : motion::AxialMotion::balanced);
   const std::string& format = options.output.format;
   output.write(format == "json"     ? as_json(file, plant)
                : format == "csv"    ? as_csv(plant)
@@ -308,6 +310,11 @@ void add_linearize(CLI::App& app, Action& action) {
       ->add_option("--inertia", options->inertia,
                    "Moment of inertia of the load (default: the motor's)")
       ->type_name("INERTIA");
+  command
+      ->add_option("--axial", options->axial,
+                   "dynamic: the rotor's height and its rate are two states more (default: static)")
+      ->check(one_of({"static", "dynamic"}))
+      ->type_name("AXIAL");
   command->add_option("--from", options->from, "Lowest frequency of a gain schedule")
       ->type_name("FREQUENCY");
   command->add_option("--to", options->to, "Highest frequency of a gain schedule")

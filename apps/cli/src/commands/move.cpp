@@ -23,7 +23,7 @@ A study of kind 'motion' changes drive and load over time ('twum init motion' wr
 
 struct MoveOptions {
   StudyCommand study;
-  std::string time, voltage, frequency, torque, inertia, engine;
+  std::string time, voltage, frequency, torque, inertia, engine, axial;
 };
 
 // Starts at once, and is switched off at two thirds of the time.
@@ -37,6 +37,7 @@ studies::MotionStudy asked_by(const MoveOptions& options) {
   if (!options.torque.empty()) asked.load.torque = parse_torque("--torque", options.torque);
   if (options.engine == to_string(motion::MotionEngine::oscillating))
     asked.engine = motion::MotionEngine::oscillating;
+  if (options.axial == "dynamic") asked.axial = motion::AxialMotion::dynamic;
   if (!options.inertia.empty()) asked.load.inertia = parse_inertia("--inertia", options.inertia);
   return asked;
 }
@@ -71,6 +72,12 @@ void add_move(CLI::App& app, Action& action) {
       ->check(one_of({to_string(motion::MotionEngine::averaged),
                       to_string(motion::MotionEngine::oscillating)}))
       ->type_name("ENGINE");
+  command
+      ->add_option("--axial", options->axial,
+                   "static: the rotor's axial position is balanced at every instant; dynamic: its "
+                   "mass moves it (default: static)")
+      ->check(one_of({"static", "dynamic"}))
+      ->type_name("AXIAL");
   command->footer(kMoveExamples);
   command->callback([options, &action] {
     action = [options] { return run_study_command(options->study, asked_by(*options)); };

@@ -37,6 +37,7 @@ enum Column : int {
   kUpToLayer,
   kUpToStator,
   kUpToCeramic,
+  kUpToDriver,
   kSquealBelow,  // the band where the motor squeals; NaN where it does not
   kSquealAbove
 };
@@ -60,6 +61,7 @@ struct CurvePicture {
   double first;
   double last;
   bool damped;     // the stator takes a share, so there is an efficiency of the whole
+  bool driver;     // a resistance in series with the phases takes a share
   bool terminals;  // modal data say what the terminals see
 };
 
@@ -67,8 +69,8 @@ struct CurvePicture {
 std::vector<double> stacked(const OperatingPoint& p) {
   double sum = p.output_power < 0 ? std::nan("") : 0;
   std::vector<double> stack;
-  for (const double part :
-       {p.output_power, p.friction_power, p.layer_loss, p.stator_loss, p.dielectric_loss})
+  for (const double part : {p.output_power, p.friction_power, p.layer_loss, p.stator_loss,
+                            p.dielectric_loss, p.driver_loss})
     stack.push_back(sum += part);
   return stack;
 }
@@ -240,10 +242,12 @@ std::string terminal_panel(const CurvePicture& picture) {
                                {kUpToOutput, kUpToFriction, "friction", colour::kVermilion},
                                {kUpToFriction, kUpToLayer, "layer", colour::kGreen},
                                {kUpToLayer, kUpToStator, "stator", colour::kOrange},
-                               {kUpToStator, kUpToCeramic, "ceramic", colour::kGrey}};
+                               {kUpToStator, kUpToCeramic, "ceramic", colour::kGrey},
+                               {kUpToCeramic, kUpToDriver, "driver", colour::kPurple}};
   std::string script = panel_place(0.58, 0.33, false) + "set offsets 0, 0, graph 0.1, 0\n" +
                        vertical_label("electrical power", picture.power) + "plot ";
   for (const Share& share : kShares) {
+    if (share.above == kUpToDriver && !picture.driver) continue;
     // The first begins on the axis: zero times its value, so that a missing value stays missing.
     const bool first = share.below == share.above;
     script += std::string(first ? "" : ", ") + "$curve using " + in_unit(kSpeed, picture.speed) +
@@ -284,10 +288,11 @@ std::string curve_plot(const studies::MotorFile& file, double first, double last
   picture.last = last;
   picture.damped = modal_damping(file.design) > 0;
   picture.terminals = has_modal_data(file.design);
+  picture.driver = file.design.driver.value_or(Driver{}).resistance != 0;
   picture.speed = studies::display_unit(last, "rad/s");
   picture.torque = studies::display_unit(largest(picture.rows, kTorque, kTorque), "N.m");
   picture.power =
-      studies::display_unit(picture.terminals ? largest(picture.rows, kUpToOutput, kUpToCeramic)
+      studies::display_unit(picture.terminals ? largest(picture.rows, kUpToOutput, kUpToDriver)
                                               : largest(picture.rows, kOutput, kStator),
                             "W");
   return plot_data("curve", picture.rows) + plot_style(plot_text(motor_title(file))) +

@@ -18,6 +18,7 @@ inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kOrange = "#E69F00";
 inline constexpr const char* kGrey = "#666666";
+inline constexpr const char* kPurple = "#CC79A7";
 }  // namespace colour
 
 inline constexpr double kDegree = std::numbers::pi / 180;  ///< [rad]

@@ -106,7 +106,9 @@ enum class Metric : unsigned char {
   stator_mass,
   free_amplitude,
   apparent_power_at,
-  matching_inductance_at
+  matching_inductance_at,
+  driver_loss_at,
+  terminal_voltage_at
 };
 
 /// Argument that a metric takes.

@@ -17,7 +17,7 @@ namespace twum {
 
 /// Rows of the metric table.
 inline constexpr std::size_t kMetricCount =
-    static_cast<std::size_t>(Metric::matching_inductance_at) + 1;
+    static_cast<std::size_t>(Metric::terminal_voltage_at) + 1;
 
 /// One row of the metric table.
 struct MetricInfo {

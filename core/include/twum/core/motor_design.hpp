@@ -187,9 +187,12 @@ struct ShaftLoad {
   bool operator==(const ShaftLoad&) const = default;
 };
 
-/// The electronics that feed the phases.
+/// The electronics that feed the phases. With an inductance or a resistance in series every voltage of a design is the inverter's,
+/// in front of them, and the terminals of a phase have another one (D8.1).
 struct Driver {
   double off_resistance{0};  ///< R_off, across each phase while the drive is off [ohm]; 0: shorted
+  double inductance{0};      ///< L_s, in series with each phase [H]
+  double resistance{0};      ///< R_s, likewise [ohm]
   /// True if all members are equal.
   bool operator==(const Driver&) const = default;
 };
@@ -287,15 +290,15 @@ struct Wear {
 /// contact at the contact radius and without modal damping. The file has `radial_slices: auto`, by which its peak power
 /// differs by 6 %.
 struct MotorDesign {
-  Stator stator{};                   ///< the vibrating ring
-  ContactLayer layer{};              ///< between stator and rotor
-  Friction friction{};               ///< of the contact
-  double preload{160};               ///< F_N, total axial force [N]
-  Rotor rotor{};                     ///< pressed on the stator
-  std::optional<Thermal> thermal{};  ///< without it the motor has no temperatures
-  std::optional<Wear> wear{};        ///< without it the motor does not wear
-  std::optional<ShaftLoad> load{};   ///< of motions; without it the rotor turns alone
-  std::optional<Driver> driver{};    ///< of motions; without it phases are shorted while it is off
+  Stator stator{};                     ///< the vibrating ring
+  ContactLayer layer{};                ///< between stator and rotor
+  Friction friction{};                 ///< of the contact
+  double preload{160};                 ///< F_N, total axial force [N]
+  Rotor rotor{};                       ///< pressed on the stator
+  std::optional<Thermal> thermal{};    ///< without it the motor has no temperatures
+  std::optional<Wear> wear{};          ///< without it the motor does not wear
+  std::optional<ShaftLoad> load{};     ///< of motions; without it the rotor turns alone
+  std::optional<Driver> driver{};      ///< without it ideal, and phases are shorted while it is off
   std::vector<LoadPhase> operation{};  ///< what it does, repeated for ever; may be empty
   /// True if all members are equal.
   bool operator==(const MotorDesign&) const = default;

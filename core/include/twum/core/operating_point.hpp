@@ -53,17 +53,20 @@ struct OperatingPoint {
   double reactive_force{0};  ///< Re F, the contact's force on the wave in phase with it (D1.1) [N];
                              ///< Im F = P_in / (omega A) (D1.2)
   double amplitude{0};       ///< A of the wave [m]
-  /// At the terminals; NaN without modal data. Powers are those of both phases together, voltage and current those of
-  /// one phase, rms.
+  /// At the inverter, which without driver_inductance and driver_resistance is at the terminals; NaN without modal data. Powers are
+  /// those of both phases together, voltage and current those of one phase, rms.
   /// @{
   double phase_lag{0};  ///< phi of the wave behind the voltage (D2.4) [rad]
-  double voltage{0};    ///< that maintains the wave [V]
+  double voltage{0};    ///< of the inverter that maintains the wave [V]
   /// The larger of the two phases (D4.1, D6.6) [A]. It and the power factor are NaN if phases or modes are unequal
   /// and the backward wave is not known.
   double phase_current{0};
   double dielectric_loss{0};   ///< loss in the blocked capacitances [W]
-  double electrical_power{0};  ///< P_el = P_diel + P_stator + P_in (D4.2) [W]
+  double electrical_power{0};  ///< P_el = P_diel + P_stator + P_in + P_driver (D4.2, D8.5) [W]
   double power_factor{0};      ///< (D4.3) [1]
+  double driver_loss{0};       ///< P_driver, loss in driver_resistance (D8.5) [W]
+  /// Across a phase, behind the driver's inductance and resistance; the larger of the two phases, NaN as the current [V].
+  double terminal_voltage{0};
   /// @}
   PointStatus status{PointStatus::ok};  ///< ok, or why there is no answer
 

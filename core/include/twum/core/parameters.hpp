@@ -101,6 +101,8 @@ enum class Parameter : unsigned char {
   load_stiffness,
   load_neutral,
   off_resistance,
+  driver_inductance,
+  driver_resistance,
   axial_damping,
   // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
   substrate_inner_radius,

@@ -46,6 +46,8 @@ struct PositionControl {
   std::optional<double> slew{};       ///< largest fall of the frequency over time [Hz/s]
   /// Speed that is asked for over the way that is left [1/s]; without it 1 / (lambda + theta_d) as in (M8.1)
   std::optional<double> gain{};
+  /// beta, share of the friction's deceleration that the speed asked for takes (M8.2); less where the motor coasts [1]
+  double braking{0.5};
   double window{2};         ///< counts from the goal within which the drive stays off
   double off_time{1.5e-3};  ///< with the drive off before phases are swapped [s]
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/motor_design.hpp>
+#include <twum/motion/motion.hpp>
 
 #include <complex>
 #include <string>
@@ -20,7 +21,8 @@ struct Signal {
 struct LinearPlant {
   using Matrix = std::vector<std::vector<double>>;  ///< rows of equal length
 
-  std::vector<Signal> states;  ///< amplitude, phase_lag, speed, angle
+  std::vector<Signal>
+      states;  ///< amplitude, phase_lag, speed, angle, and those of driver and height
   std::vector<Signal> inputs;  ///< voltage (rms), frequency, load_torque
   std::vector<Signal>
       outputs;  ///< the states, phase_current (rms), and of a motor with a sensor its voltage (rms) and lag
@@ -36,10 +38,14 @@ struct LinearPlant {
 
 /// The plant of a motor under its voltage and frequency that carries a load torque (M7.1, M7.2). The derivatives of the contact
 /// are exact.
+/// @param axial        dynamic: two states more, height and rise of the rotor (M4.5); needs rotor_mass
 /// @param load_torque  [N m], in addition to the friction of the design's load
 /// @throws InputError for a motor with a given amplitude, a design without rotor_inertia or with a spring on the shaft, and where
 ///         the motor does not carry the torque
-LinearPlant linearize(const MotorDesign& design, double load_torque);
+/// Behind a driver with an inductance or a resistance the voltage of the terminals and the current through the inductance are states,
+/// in the frame of the inverter's voltage (M3.1).
+LinearPlant linearize(const MotorDesign& design, double load_torque,
+                      AxialMotion axial = AxialMotion::balanced);
 
 /// Growth rate of hops of the rotor (M4.5): the largest real part of the axial pair of poles of wave, speed and axial motion at
 /// the same steady state [1/s]. Positive: the rotor hops.

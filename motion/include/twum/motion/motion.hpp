@@ -22,6 +22,12 @@ enum class MotionEngine : unsigned char {
 /// As in a study file; static lifetime.
 const char* to_string(MotionEngine value) noexcept;
 
+/// How the averaged engine takes the rotor's axial position.
+enum class AxialMotion : unsigned char {
+  balanced,  ///< the preload holds it where the contact carries it, at every instant
+  dynamic    ///< it moves by its mass and damping (M4.5)
+};
+
 /// From one time to another [s].
 struct Interval {
   double begin;  ///< [s]
@@ -49,6 +55,8 @@ struct MotionTask {
   std::vector<Interval> switched_off{};  ///< when the drive is off; phases then have off_resistance
   std::vector<Interval> reversed{};      ///< when phases are swapped: the wave runs backward
   MotionEngine engine{MotionEngine::averaged};  ///< how it is computed
+  AxialMotion axial{
+      AxialMotion::balanced};  ///< of the averaged engine; the other one takes the mass
   /// Lead of the first phase before the second [rad]; other than a quarter of a turn with the oscillating engine only
   Profile phase_difference{std::numbers::pi / 2};
   /// Of the oscillating engine: 1, 2 or 4; 0.5 to compare with. It multiplies points of the contact and steps of a period.
@@ -98,7 +106,8 @@ enum class MotionEventKind : unsigned char {
   switched_on,   ///< likewise
   swapped,       ///< the phases, so that the wave changed its direction
   squeals,  ///< a backward wave, which an averaged motion leaves out, has grown 150-fold (add_what_is_left_out())
-  bounces   ///< likewise hops of the rotor
+  bounces,  ///< likewise hops of the rotor
+  too_fast  ///< wave and rotor change within less than thirty turns of the wave (add_what_is_left_out())
 };
 
 /// Short machine-readable word, such as "pulled-out". Static lifetime.
@@ -146,7 +155,7 @@ void require_motion(const MotorDesign& design, const MotionTask& task);
 /// 1, and 20 at 4.
 /// A motion that ends early is a result with a status.
 /// @throws InputError for a design without rotor_inertia and for a task that is not admissible; averaged: without an integrator,
-///         and for unequal phases or modes; oscillating: without a voltage, with slices, a taper or mu_0 > mu, and without
+///         for unequal phases or modes, and with an axial motion without rotor_mass or with slices; oscillating: without a voltage, with slices, a taper or mu_0 > mu, and without
 ///         rotor_mass if the phase difference is not 90 degrees.
 Motion simulate(const MotorDesign& design, const MotionTask& task);
 

@@ -46,11 +46,11 @@ struct MetricSensitivity {
 /// Answer of a sensitivity study.
 struct SensitivityResult {
   SensitivityMethod method{};  ///< that was asked for
-  double confidence{0.95};   ///< level of all intervals
-  bool tolerances{false};    ///< over the laws of tolerances in place of ranges
-  std::uint64_t samples{0};  ///< blocks (sobol) or trajectories (morris) evaluated in full
-  double width{0};           ///< sobol: intervals should be narrower than this; 0: not asked
-  bool narrow{true};         ///< all intervals are narrower than `width`
+  double confidence{0.95};     ///< level of all intervals
+  bool tolerances{false};      ///< over the laws of tolerances in place of ranges
+  std::uint64_t samples{0};    ///< blocks (sobol) or trajectories (morris) evaluated in full
+  double width{0};             ///< sobol: intervals should be narrower than this; 0: not asked
+  bool narrow{true};           ///< all intervals are narrower than `width`
   std::vector<StoredColumn> variables;     ///< in the order of the study
   std::vector<double> motor;               ///< local: values of the variables at the motor, SI
   std::vector<MetricSensitivity> metrics;  ///< in the order asked

@@ -179,6 +179,7 @@ struct MotionControl {
   };
   std::optional<Gains> gains{};  ///< of the speed; none: those of (M8.1)
   std::optional<double> gain{};  ///< of a position [1/s]; none: that of motion::PositionControl
+  double braking{0.5};           ///< of a position, beta of (M8.2) [1]
   std::uint64_t window{2};       ///< of a position, counts within which the drive stays off
   double off_time{1.5e-3};       ///< of a position, before phases are swapped [s]
 
@@ -219,10 +220,11 @@ struct MotionStudy {
   std::optional<CurveStudy::Family> family{};                   ///< none: the motor alone
   double duration{0};                                           ///< [s]
   motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of the motion
-  std::optional<double> accuracy{};        ///< of the oscillating engine; none: 1
-  motion::InitialState initial{};          ///< at rest
-  Drive drive{};                           ///< over time
-  Load load{};                             ///< over time
+  std::optional<double> accuracy{};                          ///< of the oscillating engine; none: 1
+  motion::AxialMotion axial{motion::AxialMotion::balanced};  ///< of the averaged engine
+  motion::InitialState initial{};                            ///< at rest
+  Drive drive{};                                             ///< over time
+  Load load{};                                               ///< over time
   std::optional<MotionControl> control{};  ///< in place of a given frequency or voltage
   Output output{};                         ///< what is stored
   std::vector<MotionMeasure> measure{};    ///< may be empty

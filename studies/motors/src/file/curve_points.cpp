@@ -33,6 +33,13 @@ constexpr CurveColumn kTerminals[] = {
     {"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }},
 };
 
+#ifndef __wasm__
+constexpr CurveColumn kBehindDriver[] = {
+    {"driver_loss", "W", [](const OperatingPoint& p) { return p.driver_loss; }},
+    {"terminal_voltage", "V", [](const OperatingPoint& p) { return p.terminal_voltage; }},
+};
+#endif
+
 }  // namespace
 
 std::span<const CurveColumn> contact_columns() { return kContact; }
@@ -41,13 +48,18 @@ std::span<const CurveColumn> terminal_columns() { return kTerminals; }
 
 std::vector<CurveColumn> curve_columns(const MotorDesign& design) {
   std::vector<CurveColumn> columns(std::begin(kContact), std::end(kContact));
-  if (has_modal_data(design))
-    columns.insert(columns.end(), std::begin(kTerminals), std::end(kTerminals));
+  if (!has_modal_data(design)) return columns;
+  columns.insert(columns.end(), std::begin(kTerminals), std::end(kTerminals));
+#ifndef __wasm__  // a page has an ideal driver
+  if (design.driver && (design.driver->inductance != 0 || design.driver->resistance != 0))
+    columns.insert(columns.end(), std::begin(kBehindDriver), std::end(kBehindDriver));
+#endif
   return columns;
 }
 
 std::optional<bool> squeals(const MotorDesign& design, const BackwardWave& wave) {
   if (std::isnan(wave.fed_damping)) return {};
+  if (!std::isnan(wave.squeal_rate)) return wave.squeal_rate > 0;
   const double damping = modal_damping(design);
   return wave.fed_damping > (damping > 0 ? damping : 0);
 }

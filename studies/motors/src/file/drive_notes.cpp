@@ -39,12 +39,15 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
   const Stator& stator = motor.design().stator;
   if (!stator.voltage) return {};
   const double resonance = get(motor.design(), Parameter::resonance_frequency);
+  // Behind an inductance the stator resonates elsewhere, and its lag is another one (D8.3).
+  const Driver driver = motor.design().driver.value_or(Driver{});
+  const bool ideal = driver.inductance == 0 && driver.resistance == 0;
   const auto clamped = [&](const char* where) {
     return note(motor, "there is one small wave, which the rotor clamps",
                 std::string("drive it ") + where + " the resonance of its stator, " +
                     engineering(resonance, "Hz"));
   };
-  if (drive_frequency(motor.design()) <= resonance) return clamped("above");
+  if (ideal && drive_frequency(motor.design()) <= resonance) return clamped("above");
   const OperatingPoint at_rest = motor.operating_point(0);
   const PointStatus rest = at_rest.status;
   const auto start = [&](const char* side) {
@@ -64,7 +67,8 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
   constexpr double kMet = 1e-6;
   if (starts.status != MetricStatus::ok) return {};
   // The only wave, which lags by less than a quarter of a turn: driven below the resonance that the rotor gives it (D2.4).
-  if (starts.value == 0 && rest == PointStatus::ok && at_rest.phase_lag < 0.5 * std::numbers::pi)
+  if (ideal && starts.value == 0 && rest == PointStatus::ok &&
+      at_rest.phase_lag < 0.5 * std::numbers::pi)
     return clamped("farther above");
   if (*stator.voltage >= starts.value * (1 - kMet)) return {};
   const MetricValue holds = evaluate(motor, {Metric::hold_voltage});

@@ -92,10 +92,11 @@ class MotionRun : public FamilyRun<MotionResult> {
   // Of the time for both accuracies, that of the finer one: a quarter of the points and steps takes a quarter of the time.
   static constexpr double kFineShare = 0.8;
 
-  // Tells each thousandth of an oscillating motion.
+  // Tells each thousandth of a motion.
   bool goes_on(double time, double from, double& told) const {
-    const double share = from + (from == 0 ? kFineShare : 1 - kFineShare) * time / asked_.duration;
-    if (is_oscillating() && share >= told + 0.001) tell(told = share);
+    const double first = is_oscillating() ? kFineShare : 1;
+    const double share = from + (from == 0 ? first : 1 - kFineShare) * time / asked_.duration;
+    if (share >= told + 0.001) tell(told = share);
     return !asked_to_stop();
   }
 

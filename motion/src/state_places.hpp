@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace twum::motion {
+
+/// States of every motion: zeta = A e^(-i phi) in Cartesian parts, Omega, theta_r, the electrical energy, and the angle by which zeta
+/// has turned while the drive is off. Then only A counts for all else; a zeta that stood for its phase, too, would turn
+/// thousands of times a second. Of a motor with a given amplitude zeta stays zero.
+enum StateIndex : std::size_t { kReal, kImaginary, kSpeed, kAngle, kEnergy, kTurn, kBaseStates };
+
+/// Balanced at each instant, or by its mass (M4.5).
+enum class AxialStates : bool { none, height };
+
+/// Where the other states of a motion stand, and how many there are together. A motion has only those that it needs: the integrator
+/// measures its error over all of them.
+class StatePlaces {
+ public:
+  static constexpr std::size_t kNone = 0;  // the place of zeta
+
+  StatePlaces(const MotionModel& model, AxialStates axial) {
+    const bool series = model.driven && model.has_series();
+    if (series) voltage = add();
+    if (series && model.series_inductance != 0) current = add();
+    if (axial == AxialStates::height) height = add(), rise = height + 1;
+  }
+
+  std::size_t voltage{kNone};  ///< u at the terminals, in two parts (M3.1) [V]
+  std::size_t current{kNone};  ///< I of a phase, in two parts (M3.1) [A]
+  std::size_t height{kNone};   ///< of the rotor's face, z [m]
+  std::size_t rise{kNone};     ///< z' [m/s]
+  std::size_t count{kBaseStates};
+
+ private:
+  std::size_t add() {
+    count += 2;
+    return count - 2;
+  }
+};
+
+/// As many as any motion has.
+inline constexpr std::size_t kMostStates = kBaseStates + 6;
+using States = std::array<double, kMostStates>;
+
+}  // namespace twum::motion
