@@ -72,7 +72,17 @@ class Looks(Designer):
         for name, shown in (("ring-60", False), ("drive-60", True)):
             self.explore(name)
             words = self.browser.value("[...document.querySelectorAll('.legend span')].filter(n => n.getClientRects().length).map(n => n.textContent)")
-            self.assertEqual("at the terminals" in words, shown, name)
+            self.assertEqual(["at the terminals" in words, "input" in words], [shown, shown], name)
+
+    def test_the_powers_of_a_driven_motor_have_the_input(self):
+        self.explore("drive-60")
+        shown = self.browser.value(f"(c => c.plot.data[1 + 2 * c.shape.lines.findIndex(l => l.name === 'input')].map(v => v === null ? null : v * c.unit.divisor))({PANEL}.charts[1])")
+        losses = self.browser.value(f"[...{PANEL}.curve.output_power].map((v, i) => v + ['friction_power', 'layer_loss', 'stator_loss', 'dielectric_loss'].reduce((s, n) => s + {PANEL}.curve[n][i], 0))")
+        # Input is output and losses (T7.10, D4.2); the sum has five terms of which each is rounded.
+        for power, whole in zip(shown, losses):
+            if power is not None:
+                self.assertAlmostEqual(power, whole, delta=1e-9 * max(losses))
+        self.assertIn("input", self.lines(".pair .legend span"))
 
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)

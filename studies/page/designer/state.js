@@ -16,7 +16,17 @@ export class DesignState {
     this.opened = structuredClone(motor);
     this.motor = structuredClone(motor);
     this.view = {
-      speed: NaN, goal: 'peak_power', load: {rest: 0, rise: 0}, /** @type {Limit[]} */ limits: [], lock: null
+      speed: NaN,
+      goal: 'peak_power',
+      load: {rest: 0, rise: 0},
+      /** @type {Limit[]} */
+      limits: [],
+      lock: null,
+      // of a start and a stop, as "twum move" has them: load torque [N m], when the drive is switched off, and the end
+      // [s]
+      motion: {torque: 0, off: 0.02, end: 0.03},
+      // a load that is held; without a speed that of the peak power, without a control that of the motor's file
+      hold: {torque: 0, speed: null, control: null}
     };
     this.steps = [];
     this.undone = [];
@@ -82,6 +92,11 @@ export class DesignState {
     query.set('goal', goal);
     if (load.rest || load.rise) query.set('load', load.rest + ',' + load.rise);
     for (const l of limits) query.append('limit', [l.metric, l.argument, l.at, l.sense, l.value].join(','));
+    const {torque, off, end} = this.view.motion;
+    if (torque || off !== 0.02 || end !== 0.03) query.set('motion', [torque, off, end].join(','));
+    const {hold} = this.view;
+    if (hold.torque || hold.speed || hold.control)
+      query.set('hold', [hold.torque, hold.speed ?? '', hold.control ?? ''].join(','));
     if (lock) query.set('lock', [lock.metric, lock.parameter, lock.value].join(','));
     return '#' + query.toString();
   }
@@ -91,7 +106,7 @@ export class DesignState {
     const query = new URLSearchParams(hash.replace(/^#/, ''));
     for (const [name, text] of query) {
       if (core.places[name] !== undefined && text !== '' && Number.isFinite(Number(text)))
-        this.set(name, Number(text), tables.parameters[name].alternative);
+        this.set(name, Number(text), tables.parameters[name]?.alternative);
     }
     if (query.has('static_friction') && Number.isFinite(Number(query.get('static_friction'))))
       this.motor.values.static_friction = Number(query.get('static_friction'));
@@ -102,6 +117,15 @@ export class DesignState {
       this.view.goal = query.get('goal');
     const [rest, rise] = list(query.get('load')).map(Number);
     if (Number.isFinite(rest) && Number.isFinite(rise)) this.view.load = {rest, rise};
+    const [torque, off, end] = list(query.get('motion')).map(Number);
+    if (Number.isFinite(torque) && off > 0 && end > 0) this.view.motion = {torque, off, end};
+    const [held, at, control] = list(query.get('hold'));
+    if (held && Number.isFinite(Number(held)))
+      this.view.hold = {
+        torque: Number(held),
+        speed: Number(at) > 0 ? Number(at) : null,
+        control: ['frequency', 'voltage'].includes(control) ? control : null
+      };
     const limits = query.getAll('limit').map(list).map(
         ([metric, argument, at, sense, value]) => ({metric, argument, at: Number(at), sense, value: Number(value)}));
     this.view.limits = limits.filter(

@@ -2,6 +2,7 @@
 #include <twum/studies/fit_curves.hpp>
 
 #include "kinds/calibrate/asked_fit.hpp"
+#include "results/profile_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,11 @@ bool same_set(const std::vector<NamedValue>& a, const std::vector<NamedValue>& b
                     });
 }
 
+bool is_end_of(const CalibrateResult::Point& point, const std::string& quantity) {
+  return (point.quantity == "no_load_speed" && quantity == "speed_at") ||
+         (point.quantity == "stall_torque" && quantity == "torque_at");
+}
+
 class Curves {
  public:
   Curves(const StudyFile& study, const CalibrateResult& result)
@@ -67,6 +73,7 @@ class Curves {
       if (fresh) known->second = axis_of(result_.data, point);
       sort_in(i, known->second, curves);
     }
+    for (std::size_t i = 0; i < result_.data.size(); ++i) join_end(i, curves);
     for (FitCurve& curve : curves) draw(curve);
     return curves;
   }
@@ -76,7 +83,7 @@ class Curves {
                std::vector<FitCurve>& curves) const {
     const CalibrateResult::Point& point = result_.data[number];
     if (!over || std::isnan(place_on(point, *over))) return;
-    FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}};
+    FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}, {}};
     for (const NamedValue& one : point.set)
       if (one.name != over->name) curve.set.push_back(one);
     if (files_.size() > 1) curve.file = table_of(point);
@@ -86,6 +93,18 @@ class Curves {
     });
     if (known == curves.end()) known = curves.insert(curves.end(), std::move(curve));
     known->points.push_back(number);
+  }
+
+  // A speed without load is the end of a curve of speeds over torques, a torque at rest that of torques over speeds.
+  void join_end(std::size_t number, std::vector<FitCurve>& curves) const {
+    const CalibrateResult::Point& point = result_.data[number];
+    for (FitCurve& curve : curves) {
+      const bool its_table = curve.file.empty() || curve.file == table_of(point);
+      if (is_end_of(point, curve.quantity) && its_table && same_set(point.set, curve.set)) {
+        curve.points.push_back(number);
+        return;
+      }
+    }
   }
 
   void draw(FitCurve& curve) const {
@@ -107,11 +126,13 @@ class Curves {
   }
 
   void add(double at, FitCurve& curve) const {
-    const optim::Residuals found = fit_.asking({reading(curve, at)}).residuals(values_);
+    const MeasuredFit fit = fit_.asking({reading(curve, at)});
+    const optim::Residuals found = fit.residuals(values_);
     const bool ok = found.failure.empty();
+    const Band band = ok ? band_of(fit, found) : Band{};
     curve.at.push_back(at);
     curve.value.push_back(ok ? found.values.front() : kNoValue);
-    curve.half.push_back(ok ? half_width(found.jacobian) : kNoValue);
+    curve.low.push_back(band.low), curve.high.push_back(band.high);
   }
 
   // Of the value 0 and the weight 1: its residual is what the motor has.
@@ -131,16 +152,48 @@ class Curves {
     return point;
   }
 
-  // (L2.4) Without an interval of every parameter there is no band.
-  double half_width(const std::vector<double>& gradient) const {
+  struct Band {
+    double low{kNoValue}, high{kNoValue};
+  };
+
+  // (L3.3). There is no band without an interval of each parameter that counts, nor where the motor at an edge has no value.
+  Band band_of(const MeasuredFit& fit, const optim::Residuals& here) const {
+    const std::vector<double> parts = steepest_parts(here.jacobian);
+    const double value = here.values.front();
+    const double below = moved(fit, parts, -1), above = moved(fit, parts, 1);
+    if (std::isnan(below) || std::isnan(above)) return {};
+    return {std::min({value, below, above}), std::max({value, below, above})};
+  }
+
+  // z of (L3.3): parts of the half intervals by which the parameters move where the number rises most for their joint probability.
+  std::vector<double> steepest_parts(const std::vector<double>& gradient) const {
     const std::size_t n = values_.size();
+    std::vector<double> parts(n, 0.0);
     double variance = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        if (gradient[i] * gradient[j] != 0)
-          variance += gradient[i] * gradient[j] * result_.estimates[i].deviation *
-                      result_.estimates[j].deviation * result_.correlation[i * n + j];
-    return result_.student_t * std::sqrt(std::max(variance, 0.0));
+    for (std::size_t j = 0; j < n; ++j) {
+      if (gradient[j] == 0) continue;
+      const double slope = gradient[j] * result_.estimates[j].deviation;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (gradient[i] == 0 && std::isnan(result_.estimates[i].deviation)) continue;  // stays
+        const double part = result_.correlation[i * n + j] * slope;
+        parts[i] += part;
+        if (gradient[i] != 0) variance += gradient[i] * result_.estimates[i].deviation * part;
+      }
+    }
+    if (variance == 0) return std::vector<double>(n, 0.0);
+    for (double& part : parts) part = std::clamp(part / std::sqrt(variance), -1.0, 1.0);
+    return parts;
+  }
+
+  // The number of a motor whose parameters have moved by these parts, to one side or the other.
+  double moved(const MeasuredFit& fit, const std::vector<double>& parts, double side) const {
+    std::vector<double> values = values_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isnan(parts[i])) return kNoValue;
+      values[i] = value_at_part(result_.estimates[i], side * parts[i]);
+    }
+    const optim::Residuals found = fit.residuals(values);
+    return found.failure.empty() ? found.values.front() : kNoValue;
   }
 
   const CalibrateResult& result_;
@@ -164,6 +217,7 @@ std::optional<NamedValue> axis_of(const Data& data, const CalibrateResult::Point
 
 double place_on(const CalibrateResult::Point& point, const NamedValue& over) {
   if (point.argument != Argument::none) return point.at;
+  if (over.name == "torque" || over.name == "speed") return 0;  // the end of a curve over it
   const auto found = std::find_if(point.set.begin(), point.set.end(),
                                   [&](const NamedValue& one) { return one.name == over.name; });
   return found == point.set.end() ? kNoValue : found->value;
