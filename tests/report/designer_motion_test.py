@@ -31,17 +31,21 @@ class Motions(Designer):
         shown = self.browser.value(f"""(({{time, speed, amplitude}}, list) => {{ let i = 1; return list.map((t) => {{
             while (i < time.length - 1 && time[i] < t) ++i;
             const part = (t - time[i - 1]) / (time[i] - time[i - 1]); return [speed, amplitude].map((y) => y[i - 1] + part * (y[i] - y[i - 1])); }}); }})({PANEL}.startStop.rows, {at})""")
+        errors, peak_speed = {}, max(abs(row["speed"]) for row in rows)
         for k, name in enumerate(("speed", "amplitude")):
             peak = max(abs(row[name]) for row in rows)
-            # At the last row before the end of a stop the wave has nearly gone: 1e-3 of the peak holds for it, too.
-            self.assertLessEqual(max(abs(row[name] - one[k]) for row, one in zip(rows, shown)), SPEED * peak, name)
+            errors[name] = max(abs(row[name] - one[k]) for row, one in zip(rows, shown)) / peak
+            # The guide says it of the speed. What moves the speed is the wave, which has the same table.
+            self.assertLessEqual(errors[name], SPEED, name)
         numbers = self.browser.value(f"{PANEL}.startStop.numbers")
         off, held = (next(e for e in events if e["event"] == name) for name in ("switched-off", "held"))
-        self.assertAlmostEqual(numbers["before"], off["speed"], delta=SPEED * max(abs(row["speed"]) for row in rows))
+        self.assertAlmostEqual(numbers["before"], off["speed"], delta=SPEED * peak_speed)
         stop = held["angle"] - off["angle"]
         self.assertAlmostEqual(numbers["stopAngle"], stop, delta=STOP_ANGLE * stop)
-        # The end of a stop is found to one step, and at it the speed falls by some 1e-3 of its peak within 3e-3 of the stop.
-        self.assertAlmostEqual(numbers["stopTime"], held["time"] - off["time"], delta=2e-6 + STOP_ANGLE * (held["time"] - off["time"]))
+        # Before the rotor is held its speed creeps: one that is off by 1e-3 of the peak ends by so much earlier or later.
+        last = max(row["time"] for row in rows if row["time"] < held["time"] and abs(row["speed"]) > SPEED * peak_speed)
+        self.assertAlmostEqual(numbers["stopTime"], held["time"] - off["time"], delta=held["time"] - last)
+        print(options, {name: f"{error:.1e}" for name, error in errors.items()}, f"stop angle {numbers['stopAngle'] / stop - 1:.1e}, stop time {numbers['stopTime'] / (held['time'] - off['time']) - 1:.1e}")
         return numbers, events
 
     def test_a_start_and_a_stop_are_those_of_move(self):
@@ -58,8 +62,8 @@ study:
   measure: ["time_to(speed, 90 %)", "time_to(speed, 63.2120558829 %)", "peak(speed)"]
 """)
         twum("run", self.folder / "measures.yaml", "-o", self.folder / "measures")
-        summary = json.loads((self.folder / "measures/summary.json").read_text())
-        measures = {m["measure"]: m["value"] for m in summary["motions"][0]["measures"]} if "motions" in summary else summary["measures"]
+        told = json.loads((self.folder / "measures/summary.json").read_text())["motion"]["measures"]
+        measures = {one["measure"]: one["value"] for one in told}
         shares = {"share90": "time_to(speed, 90 %)", "share63": "time_to(speed, 63.2120558829 %)"}
         for name, measure in shares.items():
             # A speed off by 1e-3 of the peak crosses a level 2e-3 of the time to it earlier or later: the rise is as good as straight.
@@ -135,14 +139,11 @@ class Held(Designer):
         for control, torque, rpm in (("frequency", 0.5, 60), ("frequency", 0.2, 120), ("voltage", 0.4, 80)):
             with self.subTest(control, torque=torque, rpm=rpm):
                 (self.folder / "held.yaml").write_text(DRIVEN.read_text().replace("    frequency:", f"    control: {control}\n    frequency:", 1))
-                (self.folder / "one.csv").write_text("preload [N]\n160\n")
                 asked = ", ".join(f"{metric}({torque} N.m, {rpm} rpm)" for metric in self.METRICS)
-                done = twum("evaluate", self.folder / "held.yaml", "--metrics", asked, "--format", "json").stdout
-                told = json.loads(done)
+                row = next(csv.DictReader(io.StringIO(twum("evaluate", self.folder / "held.yaml", "--metrics", asked).stdout)))
                 found = self.hold(torque, rpm * RPM, control)
-                row = next(iter(told["designs"])) if "designs" in told else told
                 for metric in self.METRICS:
-                    value = next(v for k, v in (row.get("metrics") or row).items() if k.startswith(metric))
+                    value = float(next(v for k, v in row.items() if k.startswith(metric)))
                     column = {"drive_frequency_at": "frequency", "drive_voltage_at": "voltage"}.get(metric, metric.removesuffix("_at"))
                     # Another libm rounds otherwise; the wave is found to 1e-10 of itself and more.
                     self.assertAlmostEqual(found[column], value, delta=1e-8 * abs(value), msg=metric)
@@ -158,7 +159,8 @@ class Held(Designer):
         # Nearer to the resonance the wave is larger.
         self.assertLess(after["frequency"], before["frequency"])
         self.assertAlmostEqual(after["torque"], 0.3, delta=1e-9)
-        self.assertEqual(after["voltage"], before["voltage"])
+        # The voltage is that of the file, as the wave needs it: rounded.
+        self.assertAlmostEqual(after["voltage"], before["voltage"], delta=1e-9 * before["voltage"])
 
     def test_what_the_drive_cannot_hold_has_a_reason_and_no_numbers(self):
         self.explore("drive-60")

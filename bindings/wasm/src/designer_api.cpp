@@ -15,7 +15,6 @@
 #include <twum/motors/curve_points.hpp>
 #include <twum/motors/model_notes.hpp>
 
-#include <array>
 #include <cmath>
 #include <exception>
 #include <optional>
@@ -222,17 +221,10 @@ TWUM_EXPORT(held) int held(double torque, double speed, int by_voltage, double l
   });
 }
 
-/// The motor at rest, to be followed in time. The input has the parameters rotor_inertia, load_inertia, load_damping,
-/// load_friction and off_resistance, of which one that is not a number is not given. Writes the longest step [s].
+/// The motor at rest, to be followed in time. Writes the longest step [s].
 TWUM_EXPORT(rest) int at_rest() {
   return attempt([] {
-    constexpr std::array kGiven{Parameter::rotor_inertia, Parameter::load_inertia,
-                                Parameter::load_damping, Parameter::load_friction,
-                                Parameter::off_resistance};
-    std::vector<ParameterValue> values;
-    for (std::size_t i = 0; i < kGiven.size(); ++i)
-      if (!std::isnan(input[i])) values.emplace_back(kGiven[i], input[i]);
-    plant.emplace(with(current().design(), values));
+    plant.emplace(current().design());
     put(plant->longest_step());
     return output.size();
   });

@@ -10,9 +10,9 @@ import {CoreError} from './core.js';
 import {readQuantity, typedQuantity} from './quantity.js';
 
 // the slider reaches to so many times the speed without load of the fixed drive
-const reach = 2;
-// metrics of a held point, with the unit of what would do where it is missing
-const numbers = {
+const sliderReach = 2;
+// metrics of a held point and their columns
+const heldColumns = {
   drive_frequency_at: 'frequency',
   drive_voltage_at: 'voltage',
   amplitude_at: 'amplitude',
@@ -40,7 +40,8 @@ export class HoldView {
       min: 1,
       max: sliderSteps,
       'aria-label': 'held speed, slider',
-      oninput: () => this.set('speed', (reach * panel.now.last_speed * Number(this.slider.value)) / sliderSteps, 'hold')
+      oninput: () =>
+          this.set('speed', (sliderReach * panel.now.last_speed * Number(this.slider.value)) / sliderSteps, 'hold')
     });
     this.control =
         el('select', {'aria-label': 'what follows', onchange: () => this.set('control', this.control.value)},
@@ -99,7 +100,7 @@ export class HoldView {
     this.control.value = this.chosen();
     if (document.activeElement !== this.torque) this.torque.value = typedQuantity(torque, 'N.m');
     if (document.activeElement !== this.speed) this.speed.value = engineering(speed, 'rad/s', 6).replace('\u00a0', ' ');
-    this.slider.value = String(Math.round((sliderSteps * speed) / (reach * now.last_speed)));
+    this.slider.value = String(Math.round((sliderSteps * speed) / (sliderReach * now.last_speed)));
     this.slider.setAttribute('aria-valuetext', this.speed.value);
     try {
       this.showFound(core.held(torque, speed, this.chosen() === 'voltage', this.frequencyRange()));
@@ -121,7 +122,7 @@ export class HoldView {
                 (unit && Number.isFinite(needed) ? ' (' + engineering(needed, unit) + ')' : '') + '.' :
             found.byControlOnly ? 'Held by the control only.' :
                                   '');
-    const shown = Object.entries(numbers).filter(([, column]) => status === 'ok' && Number.isFinite(found[column]));
+    const shown = Object.entries(heldColumns).filter(([, column]) => status === 'ok' && Number.isFinite(found[column]));
     this.facts.replaceChildren(...shown.map(
         ([metric, column]) =>
             el('div', {'data-held': metric, title: tables.metrics[metric]?.text}, el('span', {}, pointName(metric)),
