@@ -7,7 +7,7 @@ import {engineering, percent, rpm} from '../units.js';
 
 import {sliderSteps} from './controls.js';
 import {CoreError} from './core.js';
-import {readQuantity, typedQuantity} from './quantity.js';
+import {boxQuantity, readQuantity} from './quantity.js';
 
 // the slider reaches to so many times the speed without load of the fixed drive
 const sliderReach = 2;
@@ -94,12 +94,13 @@ export class HoldView {
 
   show() {
     const {core, now, state} = this.panel;
-    const {torque} = state.view.hold;
+    const {metrics} = this.panel;
+    const torque = state.view.hold.torque ?? (metrics.torque_at_peak_power?.value || 0);
     const speed = state.view.hold.speed ?? this.panel.usualSpeed();
     this.follows.hidden = state.motor.values.voltage === undefined;
     this.control.value = this.chosen();
-    if (document.activeElement !== this.torque) this.torque.value = typedQuantity(torque, 'N.m');
-    if (document.activeElement !== this.speed) this.speed.value = engineering(speed, 'rad/s', 6).replace('\u00a0', ' ');
+    if (document.activeElement !== this.torque) this.torque.value = boxQuantity(torque, 'N.m');
+    if (document.activeElement !== this.speed) this.speed.value = boxQuantity(speed, 'rad/s');
     this.slider.value = String(Math.round((sliderSteps * speed) / (sliderReach * now.last_speed)));
     this.slider.setAttribute('aria-valuetext', this.speed.value);
     try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers with units, as one types them. The units come with the page (units_json()).
 
-import {displayUnit} from '../units.js';
+import {displayUnit, engineering, noBreak} from '../units.js';
 
 /** A unit in letters that every keyboard has: "µm" and "N·m" as "um" and "N.m". */
 export function plainUnit(text) {
@@ -81,6 +81,9 @@ export function boxNumber(text) {
   const short = String(Number(Number(text).toPrecision(boxDigits)));
   return Number.isFinite(Number(text)) && short.length < text.length ? short : text;
 }
+
+/** A quantity as it fits into its box: "657.432 mN·m". */
+export function boxQuantity(value, unit) { return engineering(value, unit, boxDigits).replace(noBreak, ' '); }
 
 /** The value in a unit, with as many digits as it takes to read the same number again. */
 export function typedNumber(value, factor) {

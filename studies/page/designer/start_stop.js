@@ -8,7 +8,7 @@ import {displayUnit, engineering, noBreak, percent, rounded} from '../units.js';
 
 import {axisText, drawUpright} from './charts.js';
 import {CoreError} from './core.js';
-import {readQuantity, typedQuantity} from './quantity.js';
+import {boxQuantity, readQuantity} from './quantity.js';
 
 // parameters that one changes for a start and a stop, beside the load torque and the times
 const parameterFields = ['voltage', 'frequency', 'rotor_inertia', 'load_inertia', 'off_resistance'];
@@ -21,6 +21,7 @@ const ownFields = {
 const rowsAtOnce = 200;
 // of a motion
 const mostRows = 20000;
+const mostDrawn = 1200;
 const millisecond = 1e-3;
 
 /** The first time at which a rising share of a value is reached, linear between rows; NaN if it is not. */
@@ -106,10 +107,8 @@ export class StartStop {
     for (const [name, box] of Object.entries(this.boxes)) {
       const own = ownFields[name];
       const value = own ? state.view.motion[name] : now.values[name];
-      if (document.activeElement !== box)
-        box.value = Number.isFinite(value) ?
-            typedQuantity(value, own ? own.unit : this.panel.tables.parameters[name].unit) :
-            '';
+      const {unit} = own ?? this.panel.tables.parameters[name];
+      if (document.activeElement !== box) box.value = Number.isFinite(value) ? boxQuantity(value, unit) : '';
     }
   }
 
@@ -197,18 +196,22 @@ export class StartStop {
     const time = (name, words, none) => fact(name, words, Number.isFinite(n[name]) ? engineering(n[name], 's') : none);
     const beyond = n.largest / n.before - 1;
     this.facts.replaceChildren(
-        fact('before', 'speed before it is switched off', engineering(n.before, 'rad/s')),
-        time('share63', 'to 63 % of this speed', '-'), time('share90', 'to 90 %', '-'),
+        fact('before', 'speed reached', engineering(n.before, 'rad/s')), time('share63', 'to 63 % of it', '-'),
+        time('share90', 'to 90 %', '-'),
         fact(
             'largest', 'largest speed',
             engineering(n.largest, 'rad/s') + (turned && beyond > 1e-4 ? ' (+' + percent(beyond) + ')' : '')),
-        time('stopTime', 'from switching off to rest', 'not at rest yet'),
+        time('stopTime', 'time of the stop', 'not at rest yet'),
         fact('stopAngle', 'angle of the stop', Number.isFinite(n.stopAngle) ? engineering(n.stopAngle, 'rad') : '-'));
   }
 
   /** Two charts over time, made when there is something to draw. */
   draw() {
-    const {time, speed, amplitude} = this.rows;
+    const {rows} = this;
+    // more points than places across the chart would be drawn as stairs
+    this.every = Math.ceil(rows.time.length / mostDrawn);
+    const [time, speed, amplitude] =
+        [rows.time, rows.speed, rows.amplitude].map((values) => values.filter((_, i) => i % this.every === 0));
     const of = (name, values, unit) => {
       const shown = displayUnit(values.reduce((most, v) => Math.max(most, Math.abs(v)), 0), unit);
       return {name, values: values.map((v) => v / shown.divisor), label: axisText(name, shown), unit: shown.text};
@@ -242,10 +245,11 @@ export class StartStop {
 
   readAt(i) {
     if (i === null || i === undefined || !this.rows) return;
+    const row = i * this.every;
     this.read.replaceChildren(
-        'after ', el('b', {}, engineering(this.rows.time[i], 's')),
+        'after ', el('b', {}, engineering(this.rows.time[row], 's')),
         ...this.lines.flatMap(
             (line) => [', ' + line.name + ' ', el('b', {}, rounded(line.values[i]) + noBreak + line.unit)]),
-        ', angle ', el('b', {}, engineering(this.rows.angle[i], 'rad')));
+        ', angle ', el('b', {}, engineering(this.rows.angle[row], 'rad')));
   }
 }

@@ -25,8 +25,8 @@ export class DesignState {
       // of a start and a stop, as "twum move" has them: load torque [N m], when the drive is switched off, and the end
       // [s]
       motion: {torque: 0, off: 0.02, end: 0.03},
-      // a load that is held; without a speed that of the peak power, without a control that of the motor's file
-      hold: {torque: 0, speed: null, control: null}
+      // a load that is held; what is not given is that of the peak power, and the control that of the motor's file
+      hold: {torque: null, speed: null, control: null}
     };
     this.steps = [];
     this.undone = [];
@@ -94,9 +94,8 @@ export class DesignState {
     for (const l of limits) query.append('limit', [l.metric, l.argument, l.at, l.sense, l.value].join(','));
     const {torque, off, end} = this.view.motion;
     if (torque || off !== 0.02 || end !== 0.03) query.set('motion', [torque, off, end].join(','));
-    const {hold} = this.view;
-    if (hold.torque || hold.speed || hold.control)
-      query.set('hold', [hold.torque, hold.speed ?? '', hold.control ?? ''].join(','));
+    const hold = Object.values(this.view.hold);
+    if (hold.some((value) => value !== null)) query.set('hold', hold.map((value) => value ?? '').join(','));
     if (lock) query.set('lock', [lock.metric, lock.parameter, lock.value].join(','));
     return '#' + query.toString();
   }
@@ -120,12 +119,11 @@ export class DesignState {
     const [torque, off, end] = list(query.get('motion')).map(Number);
     if (Number.isFinite(torque) && off > 0 && end > 0) this.view.motion = {torque, off, end};
     const [held, at, control] = list(query.get('hold'));
-    if (held && Number.isFinite(Number(held)))
-      this.view.hold = {
-        torque: Number(held),
-        speed: Number(at) > 0 ? Number(at) : null,
-        control: ['frequency', 'voltage'].includes(control) ? control : null
-      };
+    this.view.hold = {
+      torque: held && Number.isFinite(Number(held)) ? Number(held) : null,
+      speed: Number(at) > 0 ? Number(at) : null,
+      control: ['frequency', 'voltage'].includes(control) ? control : null
+    };
     const limits = query.getAll('limit').map(list).map(
         ([metric, argument, at, sense, value]) => ({metric, argument, at: Number(at), sense, value: Number(value)}));
     this.view.limits = limits.filter(
