@@ -164,7 +164,7 @@ TEST_CASE("a measurement on one of two motors says nothing about the other (L6.2
   CHECK_THAT(run.text(), Contains(" rpm), preload 200 N (b.csv)"));
 }
 
-TEST_CASE("each table has a curve of its own with the band of its parameters (L3.3)",
+TEST_CASE("each table has a curve of its own with the band of its parameters (L2.4)",
           "[studies][calibrate][closed-form]") {
   Benches two;
   two.variables = kKinetic;

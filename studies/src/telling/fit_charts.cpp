@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/fit_charts.hpp"
 
-#include "results/profile_curve.hpp"
 #include "telling/goal_parts.hpp"
 
 #include <twum/io/words.hpp>
@@ -117,6 +116,24 @@ std::vector<Section> circle(const CalibrateResult& answer, const std::vector<Fit
   section.wide = false;
   section.charts = {chart};
   return {section};
+}
+
+// The root of the rise along a profile: a cubic between its points with their slopes, straight beyond them. Slopes beyond
+// three times that of the chord are limited to it, so that the cubic does not overshoot (Fritsch and Carlson 1980).
+double along_profile(const std::vector<optim::ProfilePoint>& profile, double value) {
+  const optim::ProfilePoint &first = profile.front(), &last = profile.back();
+  if (value <= first.value) return first.z + first.slope * (value - first.value);
+  if (value >= last.value) return last.z + last.slope * (value - last.value);
+  std::size_t k = 0;
+  while (value >= profile[k + 1].value) ++k;
+  const optim::ProfilePoint &p = profile[k], &q = profile[k + 1];
+  const double step = q.value - p.value, t = (value - p.value) / step, chord = (q.z - p.z) / step;
+  const double sign = chord < 0 ? -1 : 1;
+  const auto limited = [&](double slope) {
+    return sign * std::clamp(sign * slope, 0.0, 3 * std::fabs(chord));
+  };
+  return (1 + 2 * t) * (1 - t) * (1 - t) * p.z + t * (1 - t) * (1 - t) * step * limited(p.slope) +
+         t * t * (3 - 2 * t) * q.z + t * t * (t - 1) * step * limited(q.slope);
 }
 
 // Values from a little beyond both ends of a profile, within the range of the parameter; those of the interval among them.

@@ -2,7 +2,8 @@
 #include <twum/studies/fit_curves.hpp>
 
 #include "kinds/calibrate/asked_fit.hpp"
-#include "results/profile_curve.hpp"
+
+#include <twum/optim/fit_band.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,7 @@ class Curves {
         files_(result.files()),
         fit_(study.motor.design, fit_parameters(asked_), {}, asked_.derived) {
     for (const auto& e : result.estimates) values_.push_back(e.parameter.value);
+    prepare_region();
   }
 
   std::vector<FitCurve> all() const {
@@ -123,16 +125,61 @@ class Curves {
       const double share = static_cast<double>(k) / static_cast<double>(count - 1);
       add(std::lerp(low - room, high + room, share), curve);
     }
+    if (!linear_) add_band(curve);
   }
 
   void add(double at, FitCurve& curve) const {
-    const MeasuredFit fit = fit_.asking({reading(curve, at)});
-    const optim::Residuals found = fit.residuals(values_);
+    const optim::Residuals found = fit_.asking({reading(curve, at)}).residuals(values_);
     const bool ok = found.failure.empty();
-    const Band band = ok ? band_of(fit, found) : Band{};
+    const double value = ok ? found.values.front() : kNoValue;
+    const double half = ok && linear_ ? half_width(found.jacobian) : kNoValue;
     curve.at.push_back(at);
-    curve.value.push_back(ok ? found.values.front() : kNoValue);
-    curve.low.push_back(band.low), curve.high.push_back(band.high);
+    curve.value.push_back(value);
+    curve.low.push_back(value - half), curve.high.push_back(value + half);
+  }
+
+  // (L3.3): between the numbers of the motors at which the curve is lowest and highest at some places. Without all of them there is
+  // no band.
+  void add_band(FitCurve& curve) const {
+    const std::vector<std::vector<double>> motors = farthest_motors(curve);
+    if (motors.empty()) return;
+    for (std::size_t k = 0; k < curve.at.size(); ++k) {
+      const MeasuredFit fit = fit_.asking({reading(curve, curve.at[k])});
+      double low = curve.value[k], high = low;
+      for (const std::vector<double>& values : motors) {
+        const optim::Residuals found = fit.residuals(values);
+        const double value = found.failure.empty() ? found.values.front() : kNoValue;
+        low = std::isnan(value) ? value : std::min(low, value);
+        high = std::isnan(value) ? value : std::max(high, value);
+      }
+      curve.low[k] = low, curve.high[k] = high;
+    }
+  }
+
+  // Each end of the band at some places; the next one begins where the last one was found.
+  std::vector<std::vector<double>> farthest_motors(const FitCurve& curve) const {
+    constexpr std::size_t kPlaces = 9;
+    std::vector<std::vector<double>> motors;
+    for (const optim::BandEnd end : {optim::BandEnd::low, optim::BandEnd::high}) {
+      std::vector<double> near;
+      for (std::size_t k = 0; k < kPlaces; ++k) {
+        const double share = static_cast<double>(k) / (kPlaces - 1);
+        const MeasuredFit fit =
+            fit_.asking({reading(curve, std::lerp(curve.at.front(), curve.at.back(), share))});
+        const auto prediction = [&](std::span<const double> values) {
+          const optim::Residuals found = fit.residuals(values);
+          return found.failure.empty() ? optim::Prediction{found.values.front(), found.jacobian}
+                                       : optim::Prediction{};
+        };
+        auto found = optim::band_end(
+            fit_.variables({}), [&](auto values) { return data_->residuals(values); }, prediction,
+            values_, rise_, end, near);
+        if (!found) return {};
+        near = *found;
+        motors.push_back(std::move(*found));
+      }
+    }
+    return motors;
   }
 
   // Of the value 0 and the weight 1: its residual is what the motor has.
@@ -152,48 +199,49 @@ class Curves {
     return point;
   }
 
-  struct Band {
-    double low{kNoValue}, high{kNoValue};
-  };
-
-  // (L3.3). There is no band without an interval of each parameter that counts, nor where the motor at an edge has no value.
-  Band band_of(const MeasuredFit& fit, const optim::Residuals& here) const {
-    const std::vector<double> parts = steepest_parts(here.jacobian);
-    const double value = here.values.front();
-    const double below = moved(fit, parts, -1), above = moved(fit, parts, 1);
-    if (std::isnan(below) || std::isnan(above)) return {};
-    return {std::min({value, below, above}), std::max({value, below, above})};
-  }
-
-  // z of (L3.3): parts of the half intervals by which the parameters move where the number rises most for their joint probability.
-  std::vector<double> steepest_parts(const std::vector<double>& gradient) const {
+  // (L2.4) Without an interval of every parameter there is no band.
+  double half_width(const std::vector<double>& gradient) const {
     const std::size_t n = values_.size();
-    std::vector<double> parts(n, 0.0);
     double variance = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (gradient[j] == 0) continue;
-      const double slope = gradient[j] * result_.estimates[j].deviation;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (gradient[i] == 0 && std::isnan(result_.estimates[i].deviation)) continue;  // stays
-        const double part = result_.correlation[i * n + j] * slope;
-        parts[i] += part;
-        if (gradient[i] != 0) variance += gradient[i] * result_.estimates[i].deviation * part;
-      }
-    }
-    if (variance == 0) return std::vector<double>(n, 0.0);
-    for (double& part : parts) part = std::clamp(part / std::sqrt(variance), -1.0, 1.0);
-    return parts;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (gradient[i] * gradient[j] != 0)
+          variance += gradient[i] * gradient[j] * result_.estimates[i].deviation *
+                      result_.estimates[j].deviation * result_.correlation[i * n + j];
+    return result_.student_t * std::sqrt(std::max(variance, 0.0));
   }
 
-  // The number of a motor whose parameters have moved by these parts, to one side or the other.
-  double moved(const MeasuredFit& fit, const std::vector<double>& parts, double side) const {
-    std::vector<double> values = values_;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isnan(parts[i])) return kNoValue;
-      values[i] = value_at_part(result_.estimates[i], side * parts[i]);
-    }
-    const optim::Residuals found = fit.residuals(values);
-    return found.failure.empty() ? found.values.front() : kNoValue;
+  // A measured number as the fit has it.
+  MeasuredPoint measured(const CalibrateResult::Point& point) const {
+    MeasuredPoint one;
+    if (const auto metric = find_metric(point.quantity))
+      one.reading = MetricRequest{*metric, point.argument, point.at};
+    else
+      one.reading = *find_circuit_part(point.quantity);
+    one.value = point.value, one.weight = point.weight, one.deviation = point.deviation;
+    for (const NamedValue& set : point.set)
+      one.set.emplace_back(*find_parameter(set.name), set.value);
+    if (files_.size() > 1)
+      one.table = static_cast<std::size_t>(
+          std::find(files_.begin(), files_.end(), table_of(point)) - files_.begin());
+    return one;
+  }
+
+  // Where an interval differs from the linearised one, the band needs the residuals (L3.3). Other losses than squares, and errors
+  // or columns with a scatter of their own, have no such region.
+  void prepare_region() {
+    const bool profiled = std::any_of(result_.estimates.begin(), result_.estimates.end(),
+                                      [](const auto& e) { return e.profiled; });
+    const bool held =
+        std::any_of(result_.estimates.begin(), result_.estimates.end(),
+                    [](const auto& e) { return e.bound != CalibrateResult::Bound::none; });
+    linear_ = !profiled || held || !result_.columns.empty() || result_.serial || result_.huber;
+    if (linear_) return;
+    std::vector<MeasuredPoint> points;
+    for (const auto& point : result_.data) points.push_back(measured(point));
+    data_ = fit_.asking(std::move(points));
+    const double scatter = result_.stated ? data_->stated_deviation() : result_.residual_deviation;
+    rise_ = std::pow(result_.student_t * scatter, 2);
   }
 
   const CalibrateResult& result_;
@@ -201,6 +249,9 @@ class Curves {
   std::vector<std::string> files_;
   MeasuredFit fit_;
   std::vector<double> values_;
+  bool linear_{true};                // the intervals are those of (L2.1)
+  std::optional<MeasuredFit> data_;  // where they are not
+  double rise_{0};                   // (t s)^2 of (L3.1)
 };
 
 }  // namespace
