@@ -22,14 +22,13 @@ using PredictionFunction = std::function<Prediction(std::span<const double>)>;
 /// Which end of a band is looked for.
 enum class BandEnd : unsigned char { low, high };
 
-/// The parameters at which a prediction is least, or largest, among all whose sum of squares exceeds the least one by `rise` at
-/// most (L3.3). The region is widened in steps from the fit, and at each the extreme is found by Gauss-Newton steps, so that the way
-/// follows a curved valley. Cost: some thirty evaluations of both functions; some five with a good start.
+/// The parameters at which a prediction is least, or largest, among all whose sum of squares exceeds that of the estimates by
+/// `rise` at most (L3.3), by SLSQP; certified as solve() does. Cost: some ten to some hundred evaluations of both functions.
 /// @param parameters  with their ranges, none of which is left
 /// @param estimates   at the least sum of squares, in user units
 /// @param rise        (t s)^2 of (L3.1)
-/// @param near        parameters from which the way may be short, such as those of a prediction near this one; empty: none
-/// @return nothing where the way does not arrive, or leads to a motor without residuals
+/// @param near        parameters from which the search begins, such as the end for a prediction near this one; empty: the estimates
+/// @return nothing where no such end is certified
 std::optional<std::vector<double>> band_end(const std::vector<Variable>& parameters,
                                             const ResidualFunction& residuals,
                                             const PredictionFunction& prediction,

@@ -158,7 +158,7 @@ class Curves {
 
   // Each end of the band at some places; the next one begins where the last one was found.
   std::vector<std::vector<double>> farthest_motors(const FitCurve& curve) const {
-    constexpr std::size_t kPlaces = 9;
+    constexpr std::size_t kPlaces = 5;
     std::vector<std::vector<double>> motors;
     for (const optim::BandEnd end : {optim::BandEnd::low, optim::BandEnd::high}) {
       std::vector<double> near;
