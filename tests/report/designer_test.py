@@ -85,6 +85,21 @@ class Looks(Designer):
                 self.assertAlmostEqual(power, whole, delta=1e-9 * max(losses))
         self.assertIn("input", self.lines(".pair .legend span"))
 
+    def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):
+        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        (self.folder / "radial.yaml").write_text(re.sub(r"(?m)^    wavelengths:", "    radial_motion: true\n    wavelengths:", text, count=1))
+        told = "document.querySelector('.left-out').offsetHeight > 0"
+        page = self.explore("radial", self.folder / "radial.yaml")
+        self.quiet(page)
+        self.assertTrue(self.browser.value(told))
+        self.assertIn("computes without it", self.text(".left-out"))
+        # It stays in a motor that the page saves and reads again.
+        saved = self.browser.value(f"motorYaml({PANEL}.state.motor, {PANEL}.tables)")
+        self.assertIn("radial_motion: true", saved)
+        self.assertEqual(self.browser.value(f"readMotorYaml({json.dumps(saved)}, {PANEL}.tables, {PANEL}.core).besides['stator.radial_motion']"), "true")
+        self.explore("drive-60")
+        self.assertFalse(self.browser.value(told))
+
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)
         self.browser.value("document.querySelector('[data-parameter=preload]').scrollIntoView()")

@@ -12,6 +12,8 @@ namespace {
 // Some parts of a band's half width and of the rise of the squares: a picture shows a tenth of it.
 constexpr double kAccurate = 1e-3;
 constexpr std::size_t kMostEvaluations = 300;
+// Of the rise: a search that stopped short there has no more than 5 % of the half width left.
+constexpr double kOnTheEdge = 0.9;
 
 double squares_of(const Residuals& residuals) {
   double sum = 0;
@@ -48,6 +50,26 @@ class Region {
   double least_, rise_;
 };
 
+// The end that a search from a start finds, and whether it is certified.
+struct Found {
+  std::vector<double> design;
+  double value{0}, rise{0};
+  bool certified{false};
+};
+
+std::optional<Found> search_from(std::span<const double> start, Problem problem) {
+  for (std::size_t j = 0; j < start.size(); ++j) problem.variables[j].start = start[j];
+  SolveOptions options;
+  options.solver = "nlopt:slsqp";
+  options.tolerance = kAccurate;
+  options.budget.evaluations = kMostEvaluations;
+  options.analyse_infeasible = options.polish = false;
+  const Result result = solve(problem, options);
+  const bool certified = result.outcome == Outcome::optimal;
+  if (!certified && result.outcome != Outcome::feasible) return {};
+  return Found{result.design, result.evaluation.values[0], result.evaluation.values[1], certified};
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> band_end(const std::vector<Variable>& parameters,
@@ -57,20 +79,19 @@ std::optional<std::vector<double>> band_end(const std::vector<Variable>& paramet
                                             BandEnd end, std::span<const double> near) {
   const Residuals fit = residuals(estimates);
   if (!fit.failure.empty()) return {};
+  const double sign = end == BandEnd::low ? -1 : 1;
   Problem problem{parameters};
-  const std::span<const double> start = near.empty() ? estimates : near;
-  for (std::size_t j = 0; j < start.size(); ++j) problem.variables[j].start = start[j];
-  problem.objectives = {{"prediction", end == BandEnd::low ? Sense::minimize : Sense::maximize}};
+  problem.objectives = {{"prediction", sign < 0 ? Sense::minimize : Sense::maximize}};
   problem.constraints = {{"rise of the squares", -kInfinity, 1.0, kAccurate}};
   problem.evaluate = Region(residuals, prediction, squares_of(fit), rise);
-  SolveOptions options;
-  options.solver = "nlopt:slsqp";
-  options.tolerance = kAccurate;
-  options.budget.evaluations = kMostEvaluations;
-  options.analyse_infeasible = options.polish = false;
-  const Result result = solve(problem, options);
-  if (result.outcome != Outcome::optimal) return {};
-  return result.design;
+  std::optional<Found> best;
+  for (const std::span<const double> start : {near, estimates}) {
+    if (start.empty() || (best && best->certified)) continue;
+    auto found = search_from(start, problem);
+    if (found && (!best || sign * found->value > sign * best->value)) best = std::move(found);
+  }
+  if (!best || (!best->certified && best->rise < kOnTheEdge)) return {};
+  return best->design;
 }
 
 }  // namespace twum::optim

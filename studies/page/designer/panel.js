@@ -62,7 +62,11 @@ export class DesignerPanel {
         Array.from({length: 8}, () => el('div', {}));
     this.tiles = new Tiles(el('div', {class: 'facts'}), this);
     this.fieldsTitle = el('p', {class: 'read', 'data-fields': 'title'});
-    tiles.append(this.tiles.node);
+    this.leftOut =
+        el('p', {class: 'left-out', hidden: ''},
+           'The file of this motor has the radial motion of the surface switched on. This page computes without it; ' +
+               'the commands of twum and their reports include it.');
+    tiles.append(this.leftOut, this.tiles.node);
     this.limits = new LimitsEditor(this);
     this.startStop = new StartStop(this);
     this.hold = new HoldView(this);
@@ -326,12 +330,7 @@ export class DesignerPanel {
     if (this.tasks.length && !this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
-  showNotes() {
-    const notes = this.core.notes(true);
-    if (this.state.opened.besides['stator.radial_motion'] === 'true')
-      notes.unshift('radial motion is left out on this page');
-    this.tell(notes.map((note) => 'Note: ' + note + '.').join(' '));
-  }
+  showNotes() { this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' ')); }
 
   showEffects() {
     const {goal} = this.state.view;
@@ -347,6 +346,7 @@ export class DesignerPanel {
     this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
     if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
     for (const entry of this.ofTerminals) entry.hidden = !this.now?.modal;
+    this.leftOut.hidden = motor.besides['stator.radial_motion'] !== 'true';
     this.placeRows();
     for (const [name, row] of Object.entries(this.rows))
       if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
