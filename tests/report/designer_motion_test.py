@@ -162,6 +162,34 @@ class Held(Designer):
         # The voltage is that of the file, as the wave needs it: rounded.
         self.assertAlmostEqual(after["voltage"], before["voltage"], delta=1e-9 * before["voltage"])
 
+    def test_the_map_is_that_of_the_command(self):
+        self.explore("drive-60")
+        self.set("radial_slices", 1)
+        self.rest()
+        took = self.browser.value(f"""new Promise(done => {{ const p = {PANEL}; const begin = performance.now(); p.hold.map.button.click();
+            const look = () => (p.waiting !== null || p.tasks.length ? setTimeout(look, 5) : done(performance.now() - begin)); look(); }})""")
+        print(f"a map of 600 held points took {took:.0f} ms")
+        values, ends = self.browser.value(f"[{PANEL}.hold.map.values.map(v => Number.isFinite(v) ? v : null), {PANEL}.hold.map.ends]")
+        self.assertEqual(len(values), 600)
+        told = twum("map", DRIVEN, "--set", "radial_slices=1", "--torque", f"{ends['torque']!r} N.m", "--speed", f"{ends['speed']!r} rad/s", "--points", "30x20", "--format", "csv").stdout
+        rows = list(csv.DictReader(io.StringIO(told)))
+        speeds = sorted({float(row["speed [rad/s]"]) for row in rows})
+        found = {}
+        for row in rows:
+            j = round(19 * float(row["torque [N.m]"]) / ends["torque"])
+            i = round(30 * float(row["speed [rad/s]"]) / ends["speed"]) - 1
+            found[30 * j + i] = float(row["overall_efficiency [1]"]) if row["status"] == "ok" else None
+        self.assertEqual(len(speeds), 30)
+        self.assertEqual(set(found), set(range(600)))
+        self.assertEqual([v is None for v in values], [found[k] is None for k in range(600)])
+        # Another libm rounds otherwise, and a wave is found to 1e-10.
+        self.assertLessEqual(max(abs(v - found[k]) for k, v in enumerate(values) if v is not None), 1e-8)
+        self.assertGreater(self.colours(".map canvas")[0], 8)
+        # Of another motor it is pale, and says so.
+        self.set("preload", 150)
+        self.rest()
+        self.assertIn("before the last change", self.text(".map .read"))
+
     def test_what_the_drive_cannot_hold_has_a_reason_and_no_numbers(self):
         self.explore("drive-60")
         found = self.hold(2, 60 * RPM, "frequency")

@@ -7,6 +7,7 @@ import {engineering, percent, rpm} from '../units.js';
 
 import {sliderSteps} from './controls.js';
 import {CoreError} from './core.js';
+import {HeldMap} from './held_map.js';
 import {boxQuantity, readQuantity} from './quantity.js';
 
 // the slider reaches to so many times the speed without load of the fixed drive
@@ -40,8 +41,7 @@ export class HoldView {
       min: 1,
       max: sliderSteps,
       'aria-label': 'held speed, slider',
-      oninput: () =>
-          this.set('speed', (sliderReach * panel.now.last_speed * Number(this.slider.value)) / sliderSteps, 'hold')
+      oninput: () => this.set('speed', (this.lastSpeed() * Number(this.slider.value)) / sliderSteps, 'hold')
     });
     this.control =
         el('select', {'aria-label': 'what follows', onchange: () => this.set('control', this.control.value)},
@@ -49,11 +49,13 @@ export class HoldView {
     this.follows = el('label', {}, 'with its ', this.control);
     this.word = el('p', {class: 'wrong', role: 'status'});
     this.facts = el('div', {class: 'facts'});
+    this.map = new HeldMap(this);
+    this.asked = {torque: 0, speed: 0};
     this.node =
         el('div', {class: 'hold'},
            el('div', {class: 'tools'}, el('label', {}, 'Torque ', this.torque), el('label', {}, 'at ', this.speed),
               el('label', {class: 'grows'}, this.slider), this.follows),
-           this.word, this.facts);
+           this.word, this.facts, this.map.node);
   }
 
   box(name) {
@@ -92,19 +94,26 @@ export class HoldView {
     return ends.length === 2 ? ends : [NaN, NaN];
   }
 
+  /** The largest speed of slider and map. */
+  lastSpeed() { return sliderReach * this.panel.now.last_speed; }
+
+  /** The drive that holds a torque at a speed. */
+  at(torque, speed) { return this.panel.core.held(torque, speed, this.chosen() === 'voltage', this.frequencyRange()); }
+
   show() {
-    const {core, now, state} = this.panel;
-    const {metrics} = this.panel;
+    const {metrics, state} = this.panel;
     const torque = state.view.hold.torque ?? (metrics.torque_at_peak_power?.value || 0);
     const speed = state.view.hold.speed ?? this.panel.usualSpeed();
+    this.asked = {torque, speed};
+    this.map.follow(JSON.stringify([state.motor, this.chosen()]));
     this.follows.hidden = state.motor.values.voltage === undefined;
     this.control.value = this.chosen();
     if (document.activeElement !== this.torque) this.torque.value = boxQuantity(torque, 'N.m');
     if (document.activeElement !== this.speed) this.speed.value = boxQuantity(speed, 'rad/s');
-    this.slider.value = String(Math.round((sliderSteps * speed) / (sliderReach * now.last_speed)));
+    this.slider.value = String(Math.round((sliderSteps * speed) / this.lastSpeed()));
     this.slider.setAttribute('aria-valuetext', this.speed.value);
     try {
-      this.showFound(core.held(torque, speed, this.chosen() === 'voltage', this.frequencyRange()));
+      this.showFound(this.at(torque, speed));
     } catch (error) {
       if (!(error instanceof CoreError)) throw error;
       this.found = null;
