@@ -48,6 +48,14 @@ double required_inertia(const MotorDesign& design) {
 
 }  // namespace
 
+// A_1 = F_N / (2 K_c), K_c = pi r b E / h (D1.4, D1.5).
+double opening_amplitude(const MotorDesign& design) {
+  const double stiffness = std::numbers::pi * design.stator.contact_radius *
+                           design.stator.contact_width * design.layer.youngs_modulus /
+                           design.layer.thickness;
+  return design.preload / (2 * stiffness);
+}
+
 MotionModel::MotionModel(const MotorDesign& design)
     : motor((require_equal_phases(design), with_given_amplitude(design))),
       driven(design.stator.voltage.has_value()),

@@ -6,8 +6,6 @@
 
 #include <twum/core/parameters.hpp>
 
-#include <numbers>
-
 namespace twum::motion {
 
 const char* to_string(MotionEventKind kind) noexcept {
@@ -36,14 +34,6 @@ MotionTask steady_drive(const MotorDesign& design, double duration) {
     task.amplitude = design.stator.amplitude;
   task.frequency = drive_frequency(design);
   return task;
-}
-
-// A_1 = F_N / (2 K_c), K_c = pi r b E / h (D1.4, D1.5).
-double opening_amplitude(const MotorDesign& design) {
-  const double stiffness = std::numbers::pi * design.stator.contact_radius *
-                           design.stator.contact_width * design.layer.youngs_modulus /
-                           design.layer.thickness;
-  return design.preload / (2 * stiffness);
 }
 
 std::unique_ptr<Engine> engine_of(const MotorDesign& design, const MotionTask& task) {

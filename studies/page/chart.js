@@ -26,11 +26,14 @@ function logLabels(u, splits, index) {
   return splits.map((v) => (kept.has(v) ? v : null));
 }
 
+/** Room for the numbers of an upright axis: letters are some 7.5 px wide, and 8 px lie between them and the plot. */
+function roomFor(texts, least) { return Math.max(least, 8 + 7.5 * Math.max(0, ...(texts ?? []).map((s) => s.length))); }
+
 function axis({label, log}, side, size) {
   return {
     label,
     side,
-    size,
+    size: side === 3 ? (_, texts) => roomFor(texts, size) : size,
     labelSize: 20,
     gap: 4,
     labelGap: 0,

@@ -3,9 +3,9 @@
 
 import {colour} from './dom.js';
 import {figure} from './figure.js';
-import {extent, rampBar, rampColour} from './ramp.js';
+import {extent, rampColour} from './ramp.js';
 import {displayUnit, engineering, largest} from './units.js';
-import {axisLabel, plain} from './words.js';
+import {axisLabel, plain, rampBar} from './words.js';
 
 /** One side of a grid: the values of a column in order, and the edges of their cells in the unit shown. */
 class GridAxis {

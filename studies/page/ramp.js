@@ -2,8 +2,6 @@
 // Colours for values and for counts, and what they mean.
 
 import {el, isDark, onTheme, svg} from './dom.js';
-import {engineering} from './units.js';
-import {plain} from './words.js';
 
 /** Ten colours from dark blue to yellow that keep their order in grey and for every colour vision. */
 const ramp = [
@@ -29,12 +27,6 @@ export function extent(values) {
       if (v > high) high = v;
     }
   return {low, high, share: (v) => (high > low ? (v - low) / (high - low) : 0.5)};
-}
-
-/** What the colours of a column mean. */
-export function rampBar(column) {
-  const {low, high} = extent(column.values);
-  return rampLegend(plain(column.name), engineering(low, column.unit, 3), engineering(high, column.unit, 3));
 }
 
 /** A strip of the colours between the texts of both ends. */

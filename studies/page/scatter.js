@@ -6,9 +6,9 @@ import {rows} from './data.js';
 import {el, onTheme} from './dom.js';
 import {figure, keepFocus, logButtons} from './figure.js';
 import {along, countsOf, DensityLayer, PointLayer, shadeOf} from './points.js';
-import {rampBar, rampLegend} from './ramp.js';
+import {rampLegend} from './ramp.js';
 import {displayUnit, largest} from './units.js';
-import {axisLabel, plain} from './words.js';
+import {axisLabel, plain, rampBar} from './words.js';
 
 /**
  * What a drag over the plot chooses: an interval of the column across, and one of the column up if it is tall enough.

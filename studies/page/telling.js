@@ -107,7 +107,7 @@ function legendOf(series, guides) {
   const list = series.flatMap(
       (s) =>
           [{name: s.name, colour: s.colour, kind: signs[s.stroke] ?? ''},
-           ...(s.half ? [{name: s.band, colour: s.colour, kind: 'area'}] : [])]);
+           ...(s.low ? [{name: s.band, colour: s.colour, kind: 'area'}] : [])]);
   if (guides.some((g) => g.kind === 'limit')) list.push({name: 'limit', colour: 'c1', kind: ''});
   if (guides.some((g) => g.kind === 'quantile' && g.text)) list.push({name: 'quantile', colour: 'ink', kind: 'dash'});
   return list.filter((e, i) => e.name && list.findIndex((o) => o.name === e.name) === i);
@@ -121,16 +121,21 @@ function alike(ranges) {
 
 /** The numbers of a chart, SI. */
 export function seriesOfChart(chart) {
-  return chart.series.map((s) => ({...s, x: numbersAt(s.x), y: numbersAt(s.y), half: s.half && numbersAt(s.half)}));
+  return chart.series.map((s) => ({
+                            ...s,
+                            x: numbersAt(s.x),
+                            y: numbersAt(s.y),
+                            low: s.low && numbersAt(s.low),
+                            high: s.high && numbersAt(s.high)
+                          }));
 }
 
 /** Lines with the edges of their bands behind all of them, in the units shown. */
 function drawnSeries(list, grid, divisor) {
   const lines = list.map((s) => ({name: s.name, colour: s.colour, ...looks[s.stroke], y: onGrid(grid, s)}));
-  const banded = list.filter((s) => s.half);
-  const edge = (s, sign) => onGrid(grid, {...s, y: s.y.map((v, i) => v + sign * s.half[i])});
-  const edges =
-      banded.flatMap((s) => [-1, 1].map((sign) => ({name: s.band, colour: s.colour, hidden: true, y: edge(s, sign)})));
+  const banded = list.filter((s) => s.low);
+  const edges = banded.flatMap(
+      (s) => [s.low, s.high].map((y) => ({name: s.band, colour: s.colour, hidden: true, y: onGrid(grid, {...s, y})})));
   const fill = (s) => () => colour(s.colour) + '40';
   const bands = banded.map((s, i) => ({series: [lines.length + 2 * i + 2, lines.length + 2 * i + 1], fill: fill(s)}));
   return {series: [...lines, ...edges].map((s) => ({...s, y: scaled(s.y, divisor)})), lines: lines.length, bands};

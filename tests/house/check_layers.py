@@ -63,8 +63,8 @@ FOLDER_OF_HEADER = {
 OTHERS = {
     "apps": list(LIBRARIES),
     "bindings": list(LIBRARIES),
-    # Compiled for pages: core, and of studies what writes notes and curves.
-    "bindings/wasm": ["core/base", "core/stator", "core", "studies/io", "studies/motors"],
+    # Compiled for pages: core, of motion the plant, and of studies what writes notes and curves.
+    "bindings/wasm": ["core/base", "core/stator", "core", "motion", "studies/io", "studies/motors"],
     "tests/core": ["core/base", "core/stator", "core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/support"],
     "tests/solid": ["core/base", "core/stator", "solid", "tests/support"],

@@ -43,6 +43,36 @@ class Hands(Designer):
         self.browser.settle()
         self.assertIn("thickness must be at least", self.text(".say"))
 
+    def test_a_unit_is_typed_as_in_a_motor_file(self):
+        self.explore("ring-60", RING)
+        for unit, typed in (("N.m", {"1 Nm": 1, "1 N.m": 1, "1 N*m": 1, "20 mNm": 0.02, "20 mN m": 0.02, "1 kN.m": 1000, "2 kgf.cm": 2 * 9.80665e-2}),
+                            ("m", {"20 um": 2e-5, "20 µm": 2e-5, "1 cm": 0.01, "3 nm": 3e-9}), ("Pa", {"3 GPa": 3e9, "3 N/mm^2": 3e6, "1 hPa": 100}),
+                            ("kg.m^2", {"7e-6 kg.m^2": 7e-6, "7e-6 kgm²": 7e-6}), ("V", {"130 V": 130, "1 kV": 1000}), ("s", {"20 ms": 0.02})):
+            for text, value in typed.items():
+                found = self.browser.value(f"readQuantity({PANEL}.tables, {json.dumps(text)}, {json.dumps(unit)}, undefined)")
+                self.assertEqual(found["error"], "", text)
+                # A product of a typed number and a factor, rounded once.
+                self.assertAlmostEqual(found["value"], value, delta=1e-15 * value, msg=text)
+        for text, unit in (("1 Nm", "N"), ("1 mm", "N.m"), ("1 N.M", "N.m"), ("1 xm", "m")):
+            self.assertIn("that this page does not know here", self.browser.value(f"readQuantity({PANEL}.tables, {json.dumps(text)}, {json.dumps(unit)}, undefined).error"), text)
+
+    def test_the_boxes_show_their_numbers_whole(self):
+        for name, width in (("drive-60", 1400), ("plate-60", 400), ("moving-60", 1400)):
+            with self.subTest(name, width=width):
+                self.explore(name, width=width)
+                for parameter, value in (("preload", 123.45678901234567), ("youngs_modulus", 1234567890.1234567), ("thickness", 0.00034567890123456)):
+                    self.set(parameter, value)
+                self.rest()
+                self.browser.value("document.querySelectorAll('details').forEach(n => n.open = true); true")
+                cut = self.browser.value("[...document.querySelectorAll('input.exact')].filter(n => n.offsetWidth && n.scrollWidth > n.clientWidth).map(n => n.getAttribute('aria-label') + ' ' + n.value)")
+                self.assertEqual(cut, [])
+                field = "document.querySelector('[data-parameter=preload] .exact')"
+                self.assertEqual(self.browser.value(f"{field}.value"), "123.45679")
+                # All digits for who chooses the box; leaving it changes nothing.
+                self.assertEqual(self.browser.value(f"{field}.focus(), {field}.value"), "123.45678901234567")
+                self.browser.value(f"{field}.blur()")
+                self.assertEqual(self.browser.value(f"[{field}.value, {PANEL}.state.motor.values.preload]"), ["123.45679", 123.45678901234567])
+
     def test_effects_beside_the_sliders_are_what_a_small_step_does(self):
         self.explore("ring-60", RING)
         effects = self.browser.value("Object.fromEntries([...document.querySelectorAll('.row[data-parameter]')].map(r => [r.dataset.parameter, r.querySelector('.effect').textContent]))")

@@ -26,7 +26,8 @@ class Looks(Designer):
                     self.assertEqual(self.text("h1"), name + " designer")
                     # Axes, their words and a line with its smoothed edges are many colours.
                     drawn = self.colours("main .chart canvas, main canvas.wave")
-                    self.assertTrue(len(drawn) == 6 and all(n > 8 for n in drawn), drawn)
+                    # A start and a stop, of a motor that has one, take two more.
+                    self.assertTrue(len(drawn) == (8 if name == "moving-60" else 6) and all(n > 8 for n in drawn), drawn)
                     # Nothing sticks out of the page.
                     self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
 
@@ -72,7 +73,32 @@ class Looks(Designer):
         for name, shown in (("ring-60", False), ("drive-60", True)):
             self.explore(name)
             words = self.browser.value("[...document.querySelectorAll('.legend span')].filter(n => n.getClientRects().length).map(n => n.textContent)")
-            self.assertEqual("at the terminals" in words, shown, name)
+            self.assertEqual(["at the terminals" in words, "input" in words], [shown, shown], name)
+
+    def test_the_powers_of_a_driven_motor_have_the_input(self):
+        self.explore("drive-60")
+        shown = self.browser.value(f"(c => c.plot.data[1 + 2 * c.shape.lines.findIndex(l => l.name === 'input')].map(v => v === null ? null : v * c.unit.divisor))({PANEL}.charts[1])")
+        losses = self.browser.value(f"[...{PANEL}.curve.output_power].map((v, i) => v + ['friction_power', 'layer_loss', 'stator_loss', 'dielectric_loss'].reduce((s, n) => s + {PANEL}.curve[n][i], 0))")
+        # Input is output and losses (T7.10, D4.2); the sum has five terms of which each is rounded.
+        for power, whole in zip(shown, losses):
+            if power is not None:
+                self.assertAlmostEqual(power, whole, delta=1e-9 * max(losses))
+        self.assertIn("input", self.lines(".pair .legend span"))
+
+    def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):
+        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        (self.folder / "radial.yaml").write_text(re.sub(r"(?m)^    wavelengths:", "    radial_motion: true\n    wavelengths:", text, count=1))
+        told = "document.querySelector('.left-out').offsetHeight > 0"
+        page = self.explore("radial", self.folder / "radial.yaml")
+        self.quiet(page)
+        self.assertTrue(self.browser.value(told))
+        self.assertIn("computes without it", self.text(".left-out"))
+        # It stays in a motor that the page saves and reads again.
+        saved = self.browser.value(f"motorYaml({PANEL}.state.motor, {PANEL}.tables)")
+        self.assertIn("radial_motion: true", saved)
+        self.assertEqual(self.browser.value(f"readMotorYaml({json.dumps(saved)}, {PANEL}.tables, {PANEL}.core).besides['stator.radial_motion']"), "true")
+        self.explore("drive-60")
+        self.assertFalse(self.browser.value(told))
 
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)
@@ -257,8 +283,8 @@ class InReports(Designer):
     def test_a_report_grows_by_less_than_600_kilobytes(self):
         page = (self.result("optimize-ring-60") / "report.html").read_text()
         core = re.search(r'id="core">([^<]*)<', page)[1]
-        # Comments that have lines of their own stay out of the page.
-        parts = sum(len(re.sub(r"\n *(//[^\n]*|/\*\*.*?\*/)", "", path.read_text(), flags=re.S)) for path in (ROOT / "studies/page/designer").glob("*.*"))
+        # Comments that have lines of their own and indents stay out of the page.
+        parts = sum(len(re.sub(r"\n +", "\n", re.sub(r"\n *(//[^\n]*|/\*\*.*?\*/)", "", path.read_text(), flags=re.S))) for path in (ROOT / "studies/page/designer").glob("*.*"))
         tables = sum(len(json.dumps(json.loads(page.split('id="data">')[1].split("</script>")[0])[key])) for key in ("designer", "parameters", "metrics"))
         self.assertLess(len(core) + parts + tables, 600e3)
 

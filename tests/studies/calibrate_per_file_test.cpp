@@ -180,12 +180,14 @@ TEST_CASE("each table has a curve of its own with the band of its parameters (L2
     CHECK(curves[k].file == e.file);
     CHECK(curves[k].points.size() == 3);
     CHECK(curves[k].at.back() == Approx((k == 0 ? 3 : 4) * kRpm).epsilon(1e-12));
-    // T = mu F r where all of the contact slips (C8.5); its band is that of mu times F r.
+    // T = mu F r where all of the contact slips (C8.5); its band is the interval of mu times F r.
+    // The problem is linear: the interval is that of (L2.1), and half of it the half width of (L2.4).
+    CHECK(e.high - e.low == Approx(2 * run.result().student_t * e.deviation).epsilon(1e-9));
     const double lever = motor.preload * motor.stator.contact_radius;
     for (std::size_t i = 0; i < curves[k].at.size(); ++i) {
       CHECK(curves[k].value[i] == Approx(e.parameter.value * lever).epsilon(1e-9));
-      CHECK(curves[k].half[i] ==
-            Approx(run.result().student_t * e.deviation * lever).epsilon(1e-9));
+      CHECK(curves[k].low[i] == Approx(e.low * lever).epsilon(1e-9));
+      CHECK(curves[k].high[i] == Approx(e.high * lever).epsilon(1e-9));
     }
   }
 }

@@ -3,10 +3,12 @@
 //
 // Each function that can fail returns how many things it wrote, or -1 with the reason in the text. A call may move the
 // buffers: ask where they are after it.
+#include "wasm/src/page_plant.hpp"
 #include "wasm/src/stated_design.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/equivalent_circuit.hpp>
+#include <twum/core/held_point.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
@@ -28,6 +30,7 @@ std::vector<double> input;
 std::vector<double> output;
 std::string text;
 std::optional<Motor> motor;
+std::optional<PagePlant> plant;
 
 const Motor& current() {
   TWUM_ASSERT(motor.has_value());
@@ -103,7 +106,7 @@ TWUM_EXPORT(text) const char* text_bytes() { return text.data(); }
 TWUM_EXPORT(text_size) int text_size() { return static_cast<int>(text.size()); }
 
 /// Names of the numbers below, separated by blanks: 0 parameters, 1 metrics, 2 statuses of a metric, 3 statuses of a point,
-/// 4 numbers of a motor, 5 columns of a curve.
+/// 4 numbers of a motor, 5 columns of a curve, 6 statuses of a held point.
 TWUM_EXPORT(names) void names(int kind) {
   text.clear();
   if (kind == 0)
@@ -119,6 +122,9 @@ TWUM_EXPORT(names) void names(int kind) {
   if (kind == 4)
     for (const MotorNumber& one : kMotorNumbers) append(one.name);
   if (kind == 5) append_columns();
+  if (kind == 6)
+    for (int i = 0; i <= static_cast<int>(HeldStatus::not_converged); ++i)
+      append(to_string(static_cast<HeldStatus>(i)));
 }
 
 /// Takes the motor of the numbers in the input (design_of()); if they are not those of a valid motor, the previous
@@ -196,6 +202,44 @@ TWUM_EXPORT(fields) int fields(double speed, int samples) {
            {s.phase, s.pressure, s.traction, s.stator_velocity, s.layer_velocity})
         put(value);
     return found.samples.size();
+  });
+}
+
+/// A torque [N m] held at a speed [rad/s] by a drive that follows with its frequency, between two ends [Hz] if both are numbers, or
+/// with its voltage. Writes status, frequency, voltage, amplitude, what would do, whether only the control holds it, and the point.
+TWUM_EXPORT(held) int held(double torque, double speed, int by_voltage, double low, double high) {
+  return attempt([=] {
+    MotorDesign design = current().design();
+    design.stator.control = by_voltage != 0 ? DriveControl::voltage : DriveControl::frequency;
+    if (!std::isnan(low) && !std::isnan(high)) design.stator.frequency_range = {low, high};
+    const HeldPoint found = held_point(design, torque, speed);
+    put(static_cast<double>(found.status));
+    put(found.frequency), put(found.voltage), put(found.amplitude), put(found.needed);
+    put(found.by_control_only ? 1 : 0);
+    put_point(found.point);
+    return output.size();
+  });
+}
+
+/// The motor at rest, to be followed in time. Writes the longest step [s].
+TWUM_EXPORT(rest) int at_rest() {
+  return attempt([] {
+    plant.emplace(current().design());
+    put(plant->longest_step());
+    return output.size();
+  });
+}
+
+/// Follows it under a load torque [N m], with the drive on or off, for `duration` [s]: so many rows of speed, angle, amplitude, and
+/// whether the rotor is held, at the end of each of as many equal parts.
+TWUM_EXPORT(follow) int follow(double torque, int enabled, double duration, int rows) {
+  return attempt([=] {
+    for (int i = 0; i < rows; ++i) {
+      plant->follow(torque, enabled != 0, duration / rows);
+      const PlantState& state = plant->state();
+      put(state.speed), put(state.angle), put(plant->amplitude()), put(state.held);
+    }
+    return rows;
   });
 }
 

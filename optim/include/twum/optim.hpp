@@ -20,6 +20,7 @@
 #include <twum/optim/distributions.hpp>
 #include <twum/optim/estimate.hpp>
 #include <twum/optim/failure_shares.hpp>
+#include <twum/optim/fit_band.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>
 #include <twum/optim/group_deviations.hpp>

@@ -113,7 +113,7 @@ export class LiveChart {
   }
 
   front(u) {
-    drawSpeed(u, this.panel.state.view.speed / rpm);
+    drawUpright(u, this.panel.state.view.speed / rpm);
     if (this.shape.front) this.shape.front(u, this);
   }
 }
@@ -131,9 +131,10 @@ function resampledCurve(curve, names, speeds) {
       all.map((name) => [name, Float64Array.from(speeds, (speed) => curveAt(curve, name, speed))]));
 }
 
-function drawSpeed(u, speed) {
-  if (!Number.isFinite(speed)) return;
-  const x = u.valToPos(speed, 'x', true);
+/** A dashed line across a plot. */
+export function drawUpright(u, place) {
+  if (!Number.isFinite(place)) return;
+  const x = u.valToPos(place, 'x', true);
   if (x < u.bbox.left || x > u.bbox.left + u.bbox.width) return;
   const ctx = u.ctx;
   ctx.save();

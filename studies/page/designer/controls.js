@@ -6,7 +6,7 @@ import {capital, shortName} from '../names.js';
 import {displayUnit, engineering, percent, slicesText} from '../units.js';
 
 import {automaticSlices} from './motor.js';
-import {readQuantity, typedNumber} from './quantity.js';
+import {boxNumber, readQuantity, typedNumber} from './quantity.js';
 import {surface} from './wave.js';
 
 export const partTitles = {
@@ -14,7 +14,9 @@ export const partTitles = {
   rotor: 'Rotor',
   contact_layer: 'Contact layer',
   friction: 'Friction',
-  preload: 'Preload'
+  preload: 'Preload',
+  load: 'Load',
+  driver: 'Driver'
 };
 export const sliderSteps = 1000;
 
@@ -57,7 +59,8 @@ export class ParameterRow {
       autocomplete: 'off',
       'aria-label': this.title() + ', exact value',
       onchange: () => this.typed(),
-      onfocus: () => this.number.select()
+      onfocus: () => this.chosen(),
+      onblur: () => this.error.textContent || this.showNumber()
     });
     this.unit = el('span', {class: 'unit', 'aria-hidden': 'true'});
     this.effect = el('span', {class: 'effect'});
@@ -119,6 +122,17 @@ export class ParameterRow {
     this.panel.setValue(this.name, found.value);
   }
 
+  /** All digits for a number that is chosen, else those that fit. */
+  chosen() {
+    this.number.value = this.text;
+    this.number.select();
+  }
+
+  showNumber() {
+    this.number.title = this.text;
+    if (document.activeElement !== this.number) this.number.value = boxNumber(this.text);
+  }
+
   say(text) {
     this.error.textContent = text;
     this.number.setAttribute('aria-invalid', String(text !== ''));
@@ -132,7 +146,8 @@ export class ParameterRow {
     }
     this.shown = this.row.unit === 'rad/s' ? {text: 'rad/s', divisor: 1} : displayUnit(value, this.row.unit);
     const text = this.row.entry === 'stator.radial_slices' ? slicesText(value) : typedNumber(value, this.shown.divisor);
-    if (document.activeElement !== this.number) this.number.value = text;
+    this.text = text;
+    this.showNumber();
     this.unit.textContent = this.shown.text;
     const place = String(this.toSlider(value));
     if (this.slider.value !== place) this.slider.value = place;

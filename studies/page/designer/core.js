@@ -34,6 +34,7 @@ export class Core {
     this.pointStatuses = this.names(3);
     this.motorNumbers = this.names(4);
     this.columns = this.names(5);
+    this.heldStatuses = this.names(6);
     this.places = Object.fromEntries(this.parameters.map((name, i) => [name, i]));
   }
 
@@ -171,6 +172,33 @@ export class Core {
       stator: sample(3),
       layer: sample(4),
     };
+  }
+
+  /** A torque held at a speed by frequency or voltage: the drive, why it cannot, what would do, and the point. */
+  held(torque, speed, byVoltage, [low, high]) {
+    this.call('held', torque, speed, byVoltage ? 1 : 0, low, high);
+    const [status, frequency, voltage, amplitude, needed, only, ...columns] = this.output(6 + this.columns.length);
+    return {
+      ...Object.fromEntries(this.columns.map((name, i) => [name, columns[i]])),
+      status: this.heldStatuses[status],
+      frequency,
+      voltage,
+      amplitude,
+      needed,
+      byControlOnly: only === 1
+    };
+  }
+
+  /** Puts the motor at rest, to be followed in time; the longest step [s]. */
+  atRest() {
+    this.call('rest');
+    return this.output(1)[0];
+  }
+
+  /** Follows it under a load torque with the drive on or off: speed, angle, amplitude, held of each row. */
+  follow(torque, on, duration, rows) {
+    this.call('follow', torque, on ? 1 : 0, duration, rows);
+    return this.output(4 * rows);
   }
 
   /** What `twum check` notes on the motor. */

@@ -48,8 +48,11 @@ function motorTree(motor, tables) {
   return tree;
 }
 
-/** What the page keeps of a file without reading it: temperatures, wear, motions, a drive that follows. */
-const keptEntries = /^(thermal\.|wear\.|load\.|driver\.|rotor\.inertia$|operation$|stator\.(control|frequency_range)$)/;
+/**
+ * What the page keeps of a file without reading it: temperatures, wear, axial and radial motion, a drive that follows.
+ */
+const keptEntries =
+    /^(thermal\.|wear\.|rotor\.axial_damping$|operation$|stator\.(control|frequency_range|radial_motion)$)/;
 
 /** A value of a file in one line of YAML. */
 function flowText(value) {

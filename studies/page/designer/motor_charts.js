@@ -47,11 +47,14 @@ function powerChartOf(panel, node) {
   const lines = [
     {column: 'output_power', name: 'output', colour: 'c0'},
     {column: 'friction_power', name: 'friction loss', colour: 'c1'},
-    {column: 'layer_loss', name: 'layer loss', colour: 'c2'}, {column: 'stator_loss', name: 'stator loss', colour: 'c3'}
+    {column: 'layer_loss', name: 'layer loss', colour: 'c2'},
+    {column: 'stator_loss', name: 'stator loss', colour: 'c3'},
+    {column: 'electrical_power', name: 'input', colour: 'c6'}
   ];
   const chart = new LiveChart(node, {name: 'power', unit: 'W', height: 240, lines}, panel);
-  node.prepend(legend(lines));
-  return chart;
+  const key = legend(lines);
+  node.prepend(key);
+  return {chart, ofTerminals: key.lastElementChild};
 }
 
 function efficiencyChart(panel, node) {
@@ -66,11 +69,15 @@ function efficiencyChart(panel, node) {
   return {chart, ofTerminals: key.lastElementChild};
 }
 
-/** Torque, power and efficiency over speed; ofTerminals: the entry of the key that a motor without terminals hides. */
+/** Torque, power and efficiency over speed; ofTerminals: entries of the keys that a motor without terminals hides. */
 export function motorCharts(panel, torque, power, efficiency) {
   const {chart, squeals} = torqueChart(panel, torque);
-  const last = efficiencyChart(panel, efficiency);
-  return {charts: [chart, powerChartOf(panel, power), last.chart], squeals, ofTerminals: last.ofTerminals};
+  const others = [powerChartOf(panel, power), efficiencyChart(panel, efficiency)];
+  return {
+    charts: [chart, ...others.map((one) => one.chart)],
+    squeals,
+    ofTerminals: others.map((one) => /** @type {HTMLElement} */ (one.ofTerminals))
+  };
 }
 
 export function zoneLegend() {

@@ -8,9 +8,11 @@ import {engineering, percent} from '../units.js';
 
 import {ParameterRow, partTitles, Tiles} from './controls.js';
 import {CoreError} from './core.js';
+import {HoldView} from './hold.js';
 import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
 import {motorCharts, zoneLegend} from './motor_charts.js';
 import {SectionView} from './section.js';
+import {StartStop} from './start_stop.js';
 import {DesignState} from './state.js';
 import {designerTools} from './tools.js';
 import {FieldsView, WaveView} from './wave.js';
@@ -60,8 +62,14 @@ export class DesignerPanel {
         Array.from({length: 8}, () => el('div', {}));
     this.tiles = new Tiles(el('div', {class: 'facts'}), this);
     this.fieldsTitle = el('p', {class: 'read', 'data-fields': 'title'});
-    tiles.append(this.tiles.node);
+    this.leftOut =
+        el('p', {class: 'left-out', hidden: ''},
+           'The file of this motor has the radial motion of the surface switched on. This page computes without it; ' +
+               'the commands of twum and their reports include it.');
+    tiles.append(this.leftOut, this.tiles.node);
     this.limits = new LimitsEditor(this);
+    this.startStop = new StartStop(this);
+    this.hold = new HoldView(this);
     const level = this.inAddress ? 'h2' : 'h3';
     const panelCard = (title, width, ...children) =>
         el('section', {class: 'card ' + width}, title ? el(level, {}, title) : null, ...children);
@@ -73,7 +81,9 @@ export class DesignerPanel {
            panelCard(
                'In the contact', '', this.fieldsTitle, wave, zoneLegend(),
                el('div', {class: 'pair'}, traction, velocity)),
-           panelCard('Load, limits and a kept metric', '', this.limits.node), panelCard('Cross-section', '', section)));
+           panelCard('Load, limits and a kept metric', '', this.limits.node),
+           panelCard('The drive follows', '', this.hold.node), panelCard('Start and stop', '', this.startStop.node),
+           panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
     node.addEventListener('keydown', (event) => this.keys(event));
   }
@@ -197,6 +207,7 @@ export class DesignerPanel {
   recompute() {
     clearTimeout(this.waiting);
     this.tasks = [];
+    this.startStop.forget();
     try {
       const begin = performance.now();
       this.compute(this.dragging || this.state.motor.values.radial_slices !== 1);
@@ -243,6 +254,7 @@ export class DesignerPanel {
     this.metrics = {...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving))};
     if (!(view.speed <= this.now.last_speed)) view.speed = this.usualSpeed();
     this.tiles.show(this.metrics, this.pinned?.metrics);
+    this.hold.show();
   }
 
   /** At peak power a contact does everything it can. */
@@ -288,6 +300,7 @@ export class DesignerPanel {
       () => this.limits.judge(),
       () => this.showNotes(),
       ...this.squeals.tasks(),
+      ...this.startStop.tasks(),
       ...rows.map((row) => () => showBroken(this, row)),
     ];
     if (this.inAddress) history.replaceState(null, '', this.state.toHash());
@@ -317,14 +330,7 @@ export class DesignerPanel {
     if (this.tasks.length && !this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
-  showNotes() {
-    const notes = this.core.notes(true);
-    const {besides} = this.state.opened;
-    if (besides['stator.radial_motion'] === 'true') notes.unshift('radial motion is left out on this page');
-    if (parseFloat(besides['driver.inductance']) || parseFloat(besides['driver.resistance']))
-      notes.unshift('the driver is ideal on this page');
-    this.tell(notes.map((note) => 'Note: ' + note + '.').join(' '));
-  }
+  showNotes() { this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' ')); }
 
   showEffects() {
     const {goal} = this.state.view;
@@ -339,7 +345,8 @@ export class DesignerPanel {
     const {motor, view} = this.state;
     this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
     if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
-    /** @type {HTMLElement} */ (this.ofTerminals).hidden = !this.now?.modal;
+    for (const entry of this.ofTerminals) entry.hidden = !this.now?.modal;
+    this.leftOut.hidden = motor.besides['stator.radial_motion'] !== 'true';
     this.placeRows();
     for (const [name, row] of Object.entries(this.rows))
       if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
@@ -351,7 +358,9 @@ export class DesignerPanel {
   /** One row for each parameter that the motor states. */
   placeRows() {
     const {values} = this.state.motor;
-    const used = (name) => name === 'radial_slices' || !this.now || this.now.used[name] || this.sketch;
+    // a load or a driver that is none needs no slider
+    const none = (name) => values[name] === 0 && /^(load|driver)\./.test(this.tables.parameters[name].entry);
+    const used = (name) => (name === 'radial_slices' || !this.now || this.now.used[name] || this.sketch) && !none(name);
     const wanted = Object.keys(this.tables.parameters).filter((name) => values[name] !== undefined && used(name));
     if (wanted.join() === this.placed) return;
     this.placed = wanted.join();

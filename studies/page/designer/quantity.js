@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers with units, as one types them. The units come with the page (units_json()).
 
-import {displayUnit} from '../units.js';
+import {displayUnit, engineering, noBreak} from '../units.js';
 
 /** A unit in letters that every keyboard has: "µm" and "N·m" as "um" and "N.m". */
 export function plainUnit(text) {
@@ -26,6 +26,29 @@ export function unitFactors(tables, unit) {
   return unit === '1' ? {'%': 0.01} : {...(tables.units[unit] ?? {[unit]: 1})};
 }
 
+const prefixes = {
+  p: -12,
+  n: -9,
+  u: -6,
+  m: -3,
+  c: -2,
+  d: -1,
+  da: 1,
+  h: 2,
+  k: 3,
+  M: 6,
+  G: 9
+};
+
+/** The factor of a typed unit; a product may be typed without its points, and the SI unit with any prefix. */
+function factorOf(factors, unit, typed) {
+  const joined = (text) => text.replace(/[. ]/g, '');
+  const known = Object.keys(factors).find((name) => name === typed || joined(name) === joined(typed));
+  if (known !== undefined) return factors[known];
+  const prefix = Object.keys(prefixes).find((p) => p + joined(unit) === joined(typed));
+  return prefix && Number('1e' + prefixes[prefix]);
+}
+
 /**
  * Reads "1.6 um", or a bare number in the unit shown beside the field. An absolute temperature may stand in degC.
  * @returns {{value: number, error: string}} SI; the error is empty, or says what would be right
@@ -38,7 +61,7 @@ export function readQuantity(tables, text, unit, bare, absolute = false) {
   const typed = plainUnit(found[2]);
   if (absolute && (typed === 'degC' || typed === '°C'))
     return {value: Number(found[1].replace(',', '.')) + 273.15, error: ''};
-  const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factors[typed];
+  const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factorOf(factors, unit, typed);
   if (factor === undefined)
     return {
       value: NaN,
@@ -47,6 +70,20 @@ export function readQuantity(tables, text, unit, bare, absolute = false) {
     };
   return {value: scaledNumber(found[1].replace(',', '.'), factor), error: ''};
 }
+
+// of a number in a box that is not being typed in
+const boxDigits = 8;
+
+/**
+ * A number as it fits into its box: one that takes more digits shows the first ones, and all when the box is chosen.
+ */
+export function boxNumber(text) {
+  const short = String(Number(Number(text).toPrecision(boxDigits)));
+  return Number.isFinite(Number(text)) && short.length < text.length ? short : text;
+}
+
+/** A quantity as it fits into its box: "657.432 mN·m". */
+export function boxQuantity(value, unit) { return engineering(value, unit, boxDigits).replace(noBreak, ' '); }
 
 /** The value in a unit, with as many digits as it takes to read the same number again. */
 export function typedNumber(value, factor) {

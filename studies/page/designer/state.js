@@ -16,7 +16,17 @@ export class DesignState {
     this.opened = structuredClone(motor);
     this.motor = structuredClone(motor);
     this.view = {
-      speed: NaN, goal: 'peak_power', load: {rest: 0, rise: 0}, /** @type {Limit[]} */ limits: [], lock: null
+      speed: NaN,
+      goal: 'peak_power',
+      load: {rest: 0, rise: 0},
+      /** @type {Limit[]} */
+      limits: [],
+      lock: null,
+      // of a start and a stop, as "twum move" has them: load torque [N m], when the drive is switched off, and the end
+      // [s]
+      motion: {torque: 0, off: 0.02, end: 0.03},
+      // a load that is held; what is not given is that of the peak power, and the control that of the motor's file
+      hold: {torque: null, speed: null, control: null}
     };
     this.steps = [];
     this.undone = [];
@@ -82,6 +92,10 @@ export class DesignState {
     query.set('goal', goal);
     if (load.rest || load.rise) query.set('load', load.rest + ',' + load.rise);
     for (const l of limits) query.append('limit', [l.metric, l.argument, l.at, l.sense, l.value].join(','));
+    const {torque, off, end} = this.view.motion;
+    if (torque || off !== 0.02 || end !== 0.03) query.set('motion', [torque, off, end].join(','));
+    const hold = Object.values(this.view.hold);
+    if (hold.some((value) => value !== null)) query.set('hold', hold.map((value) => value ?? '').join(','));
     if (lock) query.set('lock', [lock.metric, lock.parameter, lock.value].join(','));
     return '#' + query.toString();
   }
@@ -91,7 +105,7 @@ export class DesignState {
     const query = new URLSearchParams(hash.replace(/^#/, ''));
     for (const [name, text] of query) {
       if (core.places[name] !== undefined && text !== '' && Number.isFinite(Number(text)))
-        this.set(name, Number(text), tables.parameters[name].alternative);
+        this.set(name, Number(text), tables.parameters[name]?.alternative);
     }
     if (query.has('static_friction') && Number.isFinite(Number(query.get('static_friction'))))
       this.motor.values.static_friction = Number(query.get('static_friction'));
@@ -102,6 +116,14 @@ export class DesignState {
       this.view.goal = query.get('goal');
     const [rest, rise] = list(query.get('load')).map(Number);
     if (Number.isFinite(rest) && Number.isFinite(rise)) this.view.load = {rest, rise};
+    const [torque, off, end] = list(query.get('motion')).map(Number);
+    if (Number.isFinite(torque) && off > 0 && end > 0) this.view.motion = {torque, off, end};
+    const [held, at, control] = list(query.get('hold'));
+    this.view.hold = {
+      torque: held && Number.isFinite(Number(held)) ? Number(held) : null,
+      speed: Number(at) > 0 ? Number(at) : null,
+      control: ['frequency', 'voltage'].includes(control) ? control : null
+    };
     const limits = query.getAll('limit').map(list).map(
         ([metric, argument, at, sense, value]) => ({metric, argument, at: Number(at), sense, value: Number(value)}));
     this.view.limits = limits.filter(

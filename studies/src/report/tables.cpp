@@ -79,11 +79,15 @@ Json only_true(Json row) {
   return row;
 }
 
-// What a motor file gives for temperatures, wear, motions and a drive that follows: a page keeps it as it is.
+// What a motor file gives for temperatures, wear, axial and radial motion and a drive that follows: a page keeps it as it is.
 bool is_kept(std::string_view entry) {
-  constexpr std::array<std::string_view, 10> kKept{
-      "thermal.", "wear.",   "operation",     "stator.control",      "stator.frequency_range",
-      "load.",    "driver.", "rotor.inertia", "rotor.axial_damping", "stator.radial_motion"};
+  constexpr std::array<std::string_view, 7> kKept{"thermal.",
+                                                  "wear.",
+                                                  "operation",
+                                                  "stator.control",
+                                                  "stator.frequency_range",
+                                                  "rotor.axial_damping",
+                                                  "stator.radial_motion"};
   return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
 }
 

@@ -54,8 +54,8 @@ std::string chart_name(const FitCurve& curve) {
 void add_curve(Chart& chart, const CalibrateResult& answer, const FitCurve& curve, bool alone,
                const std::string& colour) {
   Series line{name_of(curve), Stroke::line, {"", curve.at}, {"", curve.value}, colour};
-  if (std::ranges::any_of(curve.half, [](double half) { return std::isfinite(half); })) {
-    line.half.values = curve.half;
+  if (std::ranges::any_of(curve.low, [](double low) { return std::isfinite(low); })) {
+    line.low.values = curve.low, line.high.values = curve.high;
     line.band = written({share_part(answer.confidence), " band"}, Writing::read);
   }
   Series dots{"measured", Stroke::dots, {}, {}, alone ? "ink" : colour};
@@ -224,6 +224,31 @@ Section residual_section(const CalibrateResult& answer, const std::string& quant
   return section;
 }
 
+// Numbers of which the data have one each: what the fit misses of each, in parts of it.
+Section single_section(const CalibrateResult& answer,
+                       const std::map<std::string, std::size_t>& counts) {
+  Section section{{"Residuals of single numbers"},
+                  {"Each number that the data give once, with its place in the list of points."}};
+  section.wide = false;
+  Series dots{"", Stroke::dots};
+  Chart chart{"residuals of single numbers", section.heading};
+  chart.x = {{"number in the data"}, "1"};
+  chart.y = {{"measured - fitted"}, "%", true};
+  for (std::size_t i = 0; i < answer.data.size(); ++i) {
+    const Reading& point = answer.data[i];
+    if (counts.at(point.quantity) > 1 || point.quantity == "torque_at" || point.value == 0)
+      continue;
+    dots.x.values.push_back(static_cast<double>(i + 1));
+    dots.y.values.push_back(point.residual / std::fabs(point.value));
+    chart.marks.push_back(
+        {dots.x.values.back(), dots.y.values.back(), {quantity_words(point.quantity)}});
+  }
+  chart.series = {dots};
+  chart.guides = {{0, {}, Guide::Kind::level}};
+  section.charts = {chart};
+  return section;
+}
+
 }  // namespace
 
 std::string quantity_words(const std::string& quantity) {
@@ -259,6 +284,8 @@ std::vector<Section> residual_sections(const CalibrateResult& answer) {
   for (const auto& [quantity, count] : counts)
     if (quantity == "torque_at" || count > 1)
       list.push_back(residual_section(answer, quantity, counts.size() == 1));
+  if (Section single = single_section(answer, counts); !single.charts[0].marks.empty())
+    list.push_back(std::move(single));
   return list;
 }
 

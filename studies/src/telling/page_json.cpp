@@ -113,8 +113,9 @@ Json series_json(const Series& series) {
             {"colour", series.colour},
             {"x", numbers_json(series.x)},
             {"y", numbers_json(series.y)}};
-  if (!series.half.values.empty()) {
-    json["half"] = numbers_json(series.half);
+  if (!series.low.values.empty()) {
+    json["low"] = numbers_json(series.low);
+    json["high"] = numbers_json(series.high);
     json["band"] = series.band;
   }
   return json;

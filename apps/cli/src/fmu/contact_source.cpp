@@ -42,16 +42,27 @@ std::string initialized(std::string_view type, std::string_view name,
 }
 
 std::vector<std::string> members(const PlantData& d) {
-  return {number(d.modal_mass),          number(d.modal_damping),
-          number(d.modal_stiffness),     number(d.force_factor),
-          number(d.blocked_capacitance), number(d.loss_tangent),
-          number(d.frequency),           number(d.opening_amplitude),
-          number(d.holding_torque),      number(d.crest_per_amplitude),
-          std::to_string(d.has_sensor),  number(d.sensor_force_factor),
-          number(d.sensor_capacitance),  number(d.sensor_conductance),
-          std::to_string(d.amplitudes),  std::to_string(d.speed_ratios),
-          number(d.largest_amplitude),   side_members("along"),
-          side_members("against")};
+  return {number(d.modal_mass),
+          number(d.modal_damping),
+          number(d.modal_stiffness),
+          number(d.force_factor),
+          number(d.blocked_capacitance),
+          number(d.loss_tangent),
+          number(d.frequency),
+          number(d.opening_amplitude),
+          number(d.holding_torque),
+          number(d.crest_per_amplitude),
+          std::to_string(d.has_sensor),
+          number(d.sensor_force_factor),
+          number(d.sensor_capacitance),
+          number(d.sensor_conductance),
+          std::to_string(d.amplitudes),
+          std::to_string(d.speed_ratios),
+          number(d.largest_amplitude),
+          side_members("along"),
+          side_members("against"),
+          "0",
+          "0"};  // nothing is missing in the tables
 }
 
 std::vector<std::string> members(const PlantInputs& in) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fmu/plant_motor.hpp"
 
+#include "motion/plant/plant_data.hpp"
+
 #include <twum/motion/integrator_version.hpp>
 #include <twum/motion/motion.hpp>
 
@@ -42,36 +44,13 @@ motion::MotionTask start_and_stop(const MotorDesign& design) {
 
 }  // namespace
 
-PlantMotor::PlantMotor(const MotorDesign& design, const PlantTable& t)
-    : along_(side_of(t.along)), against_(side_of(t.against)) {
-  const bool has_contact = t.opening_amplitude > 0;
-  data_ = {.modal_mass = t.modal_mass,
-           .modal_damping = t.modal_damping,
-           .modal_stiffness = t.modal_stiffness,
-           .force_factor = t.force_factor,
-           .blocked_capacitance = t.blocked_capacitance,
-           .loss_tangent = t.loss_tangent,
-           .frequency = t.frequency,
-           .opening_amplitude = has_contact ? t.opening_amplitude : t.amplitudes.back(),
-           .holding_torque = t.holding_torque,
-           .crest_per_amplitude = t.crest_per_amplitude,
-           .has_sensor = design.stator.sensor ? 1 : 0,
-           .sensor_force_factor = 0,
-           .sensor_capacitance = 0,
-           .sensor_conductance = 0,
-           .amplitudes = static_cast<int>(t.amplitudes.size()),
-           .speed_ratios = static_cast<int>(t.speed_ratios.size()),
-           .largest_amplitude = t.amplitudes.back(),
-           .along = pointers(along_),
-           .against = pointers(against_)};
-  if (const auto& sensor = design.stator.sensor) {
-    data_.sensor_force_factor = sensor->force_factor;
-    data_.sensor_capacitance = sensor->capacitance + sensor->load_capacitance;
-    data_.sensor_conductance = sensor->load_resistance ? 1 / *sensor->load_resistance : 0;
-  }
-  first_inputs_ = {t.voltage, t.frequency, 0, 1, 1};
-  parameters_ = {t.rotor_inertia, t.load_inertia, t.load_damping, t.load_friction,
-                 t.off_resistance};
+PlantMotor::PlantMotor(const MotorDesign& design, const PlantTable& table)
+    : along_(side_of(table.along)),
+      against_(side_of(table.against)),
+      data_(motion::plant_data(design, table)),
+      first_inputs_(motion::plant_inputs(table)),
+      parameters_(motion::plant_parameters(table)) {
+  data_.along = pointers(along_), data_.against = pointers(against_);
 }
 
 PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor) {

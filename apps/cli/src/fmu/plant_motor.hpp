@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fmu/c/plant.h"
+#include "motion/plant/plant.h"
 
 #include <twum/core/motor_design.hpp>
 #include <twum/motion/plant_table.hpp>

@@ -20,7 +20,8 @@ struct FitCurve {
   std::string file;             ///< table with values of its own; empty: all
   std::vector<double> at;       ///< places, from the least on [SI]
   std::vector<double> value;    ///< there [SI]; NaN where the motor has none
-  std::vector<double> half;     ///< half width of the confidence band (L2.4) [SI]; NaN without one
+  std::vector<double> low;      ///< lower edge of the confidence band (L3.3) [SI]; NaN without one
+  std::vector<double> high;     ///< its upper edge [SI]
   std::vector<std::size_t> points;  ///< numbers of the measured points on it
 };
 
@@ -30,7 +31,7 @@ std::string table_of(const CalibrateResult::Point& point);
 /// if all were read alike.
 std::optional<NamedValue> axis_of(const std::vector<CalibrateResult::Point>& data,
                                   const CalibrateResult::Point& point);
-/// Where on this axis a point was read [SI]; NaN if the bench did not say.
+/// Where on this axis a point was read [SI]; 0 for a speed without load and a torque at rest; NaN if the bench did not say.
 double place_on(const CalibrateResult::Point& point, const NamedValue& over);
 
 /// The curves that the measured points lie on: one for each quantity, setting of the bench and table with values of its

@@ -106,7 +106,7 @@ struct Series {
   Stroke stroke{Stroke::line};
   Numbers x{}, y{};
   std::string colour{"c0"};  ///< "c0" to "c6", "ink", "soft" or "faint"
-  Numbers half{};            ///< half the width of a band about a line
+  Numbers low{}, high{};     ///< edges of a band about a line
   std::string band{};        ///< name of the band in the key
 };
 

@@ -3,6 +3,8 @@
 
 #include "kinds/calibrate/asked_fit.hpp"
 
+#include <twum/optim/fit_band.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,6 +49,11 @@ bool same_set(const std::vector<NamedValue>& a, const std::vector<NamedValue>& b
                     });
 }
 
+bool is_end_of(const CalibrateResult::Point& point, const std::string& quantity) {
+  return (point.quantity == "no_load_speed" && quantity == "speed_at") ||
+         (point.quantity == "stall_torque" && quantity == "torque_at");
+}
+
 class Curves {
  public:
   Curves(const StudyFile& study, const CalibrateResult& result)
@@ -55,6 +62,7 @@ class Curves {
         files_(result.files()),
         fit_(study.motor.design, fit_parameters(asked_), {}, asked_.derived) {
     for (const auto& e : result.estimates) values_.push_back(e.parameter.value);
+    prepare_region();
   }
 
   std::vector<FitCurve> all() const {
@@ -67,6 +75,7 @@ class Curves {
       if (fresh) known->second = axis_of(result_.data, point);
       sort_in(i, known->second, curves);
     }
+    for (std::size_t i = 0; i < result_.data.size(); ++i) join_end(i, curves);
     for (FitCurve& curve : curves) draw(curve);
     return curves;
   }
@@ -76,7 +85,7 @@ class Curves {
                std::vector<FitCurve>& curves) const {
     const CalibrateResult::Point& point = result_.data[number];
     if (!over || std::isnan(place_on(point, *over))) return;
-    FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}};
+    FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}, {}};
     for (const NamedValue& one : point.set)
       if (one.name != over->name) curve.set.push_back(one);
     if (files_.size() > 1) curve.file = table_of(point);
@@ -86,6 +95,18 @@ class Curves {
     });
     if (known == curves.end()) known = curves.insert(curves.end(), std::move(curve));
     known->points.push_back(number);
+  }
+
+  // A speed without load is the end of a curve of speeds over torques, a torque at rest that of torques over speeds.
+  void join_end(std::size_t number, std::vector<FitCurve>& curves) const {
+    const CalibrateResult::Point& point = result_.data[number];
+    for (FitCurve& curve : curves) {
+      const bool its_table = curve.file.empty() || curve.file == table_of(point);
+      if (is_end_of(point, curve.quantity) && its_table && same_set(point.set, curve.set)) {
+        curve.points.push_back(number);
+        return;
+      }
+    }
   }
 
   void draw(FitCurve& curve) const {
@@ -104,14 +125,61 @@ class Curves {
       const double share = static_cast<double>(k) / static_cast<double>(count - 1);
       add(std::lerp(low - room, high + room, share), curve);
     }
+    if (!linear_) add_band(curve);
   }
 
   void add(double at, FitCurve& curve) const {
     const optim::Residuals found = fit_.asking({reading(curve, at)}).residuals(values_);
     const bool ok = found.failure.empty();
+    const double value = ok ? found.values.front() : kNoValue;
+    const double half = ok && linear_ ? half_width(found.jacobian) : kNoValue;
     curve.at.push_back(at);
-    curve.value.push_back(ok ? found.values.front() : kNoValue);
-    curve.half.push_back(ok ? half_width(found.jacobian) : kNoValue);
+    curve.value.push_back(value);
+    curve.low.push_back(value - half), curve.high.push_back(value + half);
+  }
+
+  // (L3.3): between the numbers of the motors at which the curve is lowest and highest at some places. Without all of them there is
+  // no band.
+  void add_band(FitCurve& curve) const {
+    const std::vector<std::vector<double>> motors = farthest_motors(curve);
+    if (motors.empty()) return;
+    for (std::size_t k = 0; k < curve.at.size(); ++k) {
+      const MeasuredFit fit = fit_.asking({reading(curve, curve.at[k])});
+      double low = curve.value[k], high = low;
+      for (const std::vector<double>& values : motors) {
+        const optim::Residuals found = fit.residuals(values);
+        const double value = found.failure.empty() ? found.values.front() : kNoValue;
+        low = std::isnan(value) ? value : std::min(low, value);
+        high = std::isnan(value) ? value : std::max(high, value);
+      }
+      curve.low[k] = low, curve.high[k] = high;
+    }
+  }
+
+  // Each end of the band at some places; the next one begins where the last one was found.
+  std::vector<std::vector<double>> farthest_motors(const FitCurve& curve) const {
+    constexpr std::size_t kPlaces = 5;
+    std::vector<std::vector<double>> motors;
+    for (const optim::BandEnd end : {optim::BandEnd::low, optim::BandEnd::high}) {
+      std::vector<double> near;
+      for (std::size_t k = 0; k < kPlaces; ++k) {
+        const double share = static_cast<double>(k) / (kPlaces - 1);
+        const MeasuredFit fit =
+            fit_.asking({reading(curve, std::lerp(curve.at.front(), curve.at.back(), share))});
+        const auto prediction = [&](std::span<const double> values) {
+          const optim::Residuals found = fit.residuals(values);
+          return found.failure.empty() ? optim::Prediction{found.values.front(), found.jacobian}
+                                       : optim::Prediction{};
+        };
+        auto found = optim::band_end(
+            fit_.variables({}), [&](auto values) { return data_->residuals(values); }, prediction,
+            values_, rise_, end, near);
+        if (!found) return {};
+        near = *found;
+        motors.push_back(std::move(*found));
+      }
+    }
+    return motors;
   }
 
   // Of the value 0 and the weight 1: its residual is what the motor has.
@@ -143,11 +211,47 @@ class Curves {
     return result_.student_t * std::sqrt(std::max(variance, 0.0));
   }
 
+  // A measured number as the fit has it.
+  MeasuredPoint measured(const CalibrateResult::Point& point) const {
+    MeasuredPoint one;
+    if (const auto metric = find_metric(point.quantity))
+      one.reading = MetricRequest{*metric, point.argument, point.at};
+    else
+      one.reading = *find_circuit_part(point.quantity);
+    one.value = point.value, one.weight = point.weight, one.deviation = point.deviation;
+    for (const NamedValue& set : point.set)
+      one.set.emplace_back(*find_parameter(set.name), set.value);
+    if (files_.size() > 1)
+      one.table = static_cast<std::size_t>(
+          std::find(files_.begin(), files_.end(), table_of(point)) - files_.begin());
+    return one;
+  }
+
+  // Where an interval differs from the linearised one, the band needs the residuals (L3.3). Other losses than squares, and errors
+  // or columns with a scatter of their own, have no such region.
+  void prepare_region() {
+    const bool profiled = std::any_of(result_.estimates.begin(), result_.estimates.end(),
+                                      [](const auto& e) { return e.profiled; });
+    const bool held =
+        std::any_of(result_.estimates.begin(), result_.estimates.end(),
+                    [](const auto& e) { return e.bound != CalibrateResult::Bound::none; });
+    linear_ = !profiled || held || !result_.columns.empty() || result_.serial || result_.huber;
+    if (linear_) return;
+    std::vector<MeasuredPoint> points;
+    for (const auto& point : result_.data) points.push_back(measured(point));
+    data_ = fit_.asking(std::move(points));
+    const double scatter = result_.stated ? data_->stated_deviation() : result_.residual_deviation;
+    rise_ = std::pow(result_.student_t * scatter, 2);
+  }
+
   const CalibrateResult& result_;
   const CalibrateStudy& asked_;
   std::vector<std::string> files_;
   MeasuredFit fit_;
   std::vector<double> values_;
+  bool linear_{true};                // the intervals are those of (L2.1)
+  std::optional<MeasuredFit> data_;  // where they are not
+  double rise_{0};                   // (t s)^2 of (L3.1)
 };
 
 }  // namespace
@@ -164,6 +268,7 @@ std::optional<NamedValue> axis_of(const Data& data, const CalibrateResult::Point
 
 double place_on(const CalibrateResult::Point& point, const NamedValue& over) {
   if (point.argument != Argument::none) return point.at;
+  if (over.name == "torque" || over.name == "speed") return 0;  // the end of a curve over it
   const auto found = std::find_if(point.set.begin(), point.set.end(),
                                   [&](const NamedValue& one) { return one.name == over.name; });
   return found == point.set.end() ? kNoValue : found->value;

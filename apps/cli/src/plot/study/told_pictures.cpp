@@ -66,11 +66,11 @@ void add_series(Panel& panel, const telling::Series& told) {
   const bool named =
       std::ranges::find(panel.series, told.name, &Series::name) != panel.series.end();
   const std::string colour = colour_named(told.colour);
-  if (!told.half.values.empty()) {
+  if (!told.low.values.empty()) {
     Series band{told.band, Draw::band, colour, {}};
-    for (std::size_t i = 0; i < told.half.values.size(); ++i)
-      if (const double half = told.half.values[i]; std::isfinite(half))
-        band.rows.push_back({told.x.values[i], told.y.values[i] - half, told.y.values[i] + half});
+    for (std::size_t i = 0; i < told.low.values.size(); ++i)
+      if (std::isfinite(told.low.values[i]))
+        band.rows.push_back({told.x.values[i], told.low.values[i], told.high.values[i]});
     panel.series.push_back(std::move(band));
   }
   Series series{named ? "" : told.name, draw_of(told.stroke), colour, rows_of(told)};

@@ -7,8 +7,7 @@
 #define PI 3.14159265358979323846
 #define SQRT2 1.41421356237309504880
 
-/* Length of a step, in periods of the table's frequency: 2 us at 40 kHz. */
-static const double kPeriodsPerStep = 0.08;
+static const double kPeriodsPerStep = PLANT_PERIODS_PER_STEP;
 /* Speed with which a rotor leaves rest [rad/s]: past the event, and nothing beside any speed. */
 static const double kReleaseSpeed = 1e-9;
 /* Of the holding torque. Without it a rotor would be caught at the instant of its release. */
@@ -124,6 +123,7 @@ static Surface surface_at(const float* values, int columns, const Cell* c) {
 static Contact contact_at(const PlantData* m, double amplitude, double speed, int along, double omega) {
   const Cell cell = cell_at(m, amplitude, speed, along, omega);
   Contact contact;
+  if (m->before_reading) m->before_reading(m->filler, along, cell.row, cell.column);
   contact.torque = surface_at(cell.table->torque, m->amplitudes, &cell);
   contact.reactive = surface_at(cell.table->reactive_stiffness, m->amplitudes, &cell);
   contact.active = surface_at(cell.table->active_stiffness, m->amplitudes, &cell);

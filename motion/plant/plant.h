@@ -8,6 +8,9 @@
 extern "C" {
 #endif
 
+/* Length of a step, in periods of the table's frequency: 2 us at 40 kHz. */
+#define PLANT_PERIODS_PER_STEP 0.08
+
 /* The contact while the rotor turns to one side: values at amplitude j and speed ratio i stand at [i * amplitudes + j]. */
 typedef struct {
   const float* torque;             /* T in the direction of the wave [N m] */
@@ -28,6 +31,10 @@ typedef struct {
   int amplitudes, speed_ratios;
   double largest_amplitude;
   PlantContact along, against; /* rotor turns with the wave, and against it */
+  /* Called before 4 rows and 4 columns of a side are read, of which the first may be -1 and the last one too many. It fills
+     what is missing there. 0 for tables that have all values. */
+  void (*before_reading)(void* filler, int along, int row, int column);
+  void* filler;
 } PlantData;
 
 typedef struct {
