@@ -56,8 +56,7 @@ std::vector<double> kinks(const MotionTask& task) {
     add_times(times, *profile);
   add_times(times, task.switched_off), add_times(times, task.reversed);
   std::ranges::sort(times);
-  const auto [first, last] = std::ranges::unique(times);
-  times.erase(first, last);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   std::erase_if(times, [&](double time) { return time < 0 || time > task.duration; });
   return times;
 }

@@ -73,7 +73,7 @@ class Calibration {
  private:
   void add_serial(const optim::SerialErrors& serial) {
     if (serial.small_sample.empty()) return;
-    CalibrateResult::Serial& told = result_.serial.emplace();
+    CalibrateResult::Serial& told = result_.serial.emplace(CalibrateResult::Serial{});
     told.correlation = serial.correlation;
     for (const optim::SmallSample& sample : serial.small_sample)
       told.widening = std::max(told.widening, sample.widening * sample.quantile);

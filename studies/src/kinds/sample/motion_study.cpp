@@ -22,8 +22,7 @@ std::vector<double> times_with(std::vector<double> times,
     for (const double time : times_of(one))
       if (time <= duration) times.push_back(time);
   std::ranges::sort(times);
-  const auto [first, last] = std::ranges::unique(times);
-  times.erase(first, last);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
