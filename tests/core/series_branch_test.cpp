@@ -38,24 +38,24 @@ MotorDesign behind_series(double inductance, double resistance, double voltage =
   return design;
 }
 
-double at_speed(const Motor& motor, Metric metric, double speed) {
+double metric_behind(const Motor& motor, Metric metric, double speed) {
   const MetricValue found = evaluate(motor, {metric, Argument::speed, speed});
   CAPTURE(info(metric).name, to_string(found.status));
   REQUIRE(found.status == MetricStatus::ok);
   return found.value;
 }
 
-double number(const MotorDesign& design, Metric metric) {
+double number_behind(const MotorDesign& design, Metric metric) {
   const MetricValue found = evaluate(Motor(design), {metric});
   CAPTURE(info(metric).name, to_string(found.status));
   REQUIRE(found.status == MetricStatus::ok);
   return found.value;
 }
 
-double omega_of(const MotorDesign& design) { return 2 * kPi * drive_frequency(design); }
+double rate_of_drive(const MotorDesign& design) { return 2 * kPi * drive_frequency(design); }
 
 Complex impedance_of_series(const MotorDesign& d) {
-  return {d.driver->resistance, omega_of(d) * d.driver->inductance};
+  return {d.driver->resistance, rate_of_drive(d) * d.driver->inductance};
 }
 
 // A phase of the motor at a point, as its equivalent circuit with the contact in it (D4.4, D4.5) [1/ohm].
@@ -91,7 +91,7 @@ TEST_CASE("a motor behind a coil is its circuit in series with it (D8.1, D8.4, D
       CHECK_THAT(p.electrical_power, WithinRel(2 * voltage * current.real(), near));
       CHECK_THAT(p.driver_loss, WithinAbs(2 * resistance * std::norm(current), near));
       CHECK_THAT(p.power_factor, WithinRel(current.real() / std::abs(current), near));
-      const double omega = omega_of(design);
+      const double omega = rate_of_drive(design);
       CHECK_THAT(p.dielectric_loss, WithinRel(2 * omega * 8.5e-9 * 0.01 * std::norm(across), near));
       // The wave's velocity is the current of the motional branch, by which it lags behind the inverter.
       const Complex motional =
@@ -109,12 +109,12 @@ TEST_CASE("a motor behind a coil is its circuit in series with it (D8.1, D8.4, D
                                           {M::dielectric_loss_at, p.dielectric_loss},
                                           {M::power_factor_at, p.power_factor},
                                           {M::phase_lag_at, p.phase_lag}})
-        CHECK_THAT(at_speed(motor, metric, speed), WithinAbs(value, 1e-13 * std::abs(value)));
-      CHECK_THAT(at_speed(motor, M::apparent_power_at, speed),
+        CHECK_THAT(metric_behind(motor, metric, speed), WithinAbs(value, 1e-13 * std::abs(value)));
+      CHECK_THAT(metric_behind(motor, M::apparent_power_at, speed),
                  WithinRel(2 * voltage * std::abs(current), near));
       // In parallel with inverter and coil, it takes what of the current leads the voltage.
       if (current.imag() > 0)
-        CHECK_THAT(at_speed(motor, M::matching_inductance_at, speed),
+        CHECK_THAT(metric_behind(motor, M::matching_inductance_at, speed),
                    WithinRel(voltage / (omega * current.imag()), near));
     }
   }
@@ -126,7 +126,7 @@ TEST_CASE("the voltages of start and hold are extrema of the inverter's (D8.3)",
   const MotorDesign design = behind_series(1.3e-3, 5);
   MotorDesign given = design;
   given.stator.voltage.reset();
-  const double omega = omega_of(design), free = 2 * kPi * 39e3;
+  const double omega = rate_of_drive(design), free = 2 * kPi * 39e3;
   const Complex Z = impedance_of_series(design), Y = omega * 8.5e-9 * Complex{0.01, 1};
   const auto voltage = [&](double amplitude) {
     given.stator.amplitude = amplitude;
@@ -145,14 +145,14 @@ TEST_CASE("the voltages of start and hold are extrema of the inverter's (D8.3)",
   const auto top = std::adjacent_find(needed.begin(), needed.end(), std::greater<>());
   const double start = *top, hold = *std::min_element(top, needed.end());
   // Steps of 0.2 % miss an extremum by up to 1e-6 of its height.
-  CHECK_THAT(number(design, M::start_voltage), WithinRel(start, 3e-6));
-  CHECK_THAT(number(design, M::hold_voltage), WithinRel(hold, 3e-6));
+  CHECK_THAT(number_behind(design, M::start_voltage), WithinRel(start, 3e-6));
+  CHECK_THAT(number_behind(design, M::hold_voltage), WithinRel(hold, 3e-6));
   // At the frequency of a threshold the voltage is the one of the file.
   for (const auto& [frequency, level] : {std::pair{M::start_frequency, M::start_voltage},
                                          {M::pull_out_frequency, M::hold_voltage}}) {
-    const double f = number(design, frequency);
+    const double f = number_behind(design, frequency);
     CAPTURE(f);
-    CHECK_THAT(number(with(design, Parameter::frequency, f), level), WithinRel(60.0, 1e-9));
+    CHECK_THAT(number_behind(with(design, Parameter::frequency, f), level), WithinRel(60.0, 1e-9));
   }
 }
 
@@ -174,20 +174,21 @@ TEST_CASE("a coil resonates with the blocked capacitance (D8.2)", "[core][driven
   MotorDesign design = behind_series(1.3e-3, 20, 10);
   design.preload = 0;
   design.stator.force_factor = 1e-9, design.stator.loss_tangent = 0;
-  const double omega = omega_of(design);
+  const double omega = rate_of_drive(design);
   const Complex divider = 1.0 + impedance_of_series(design) * Complex{0, omega * 8.5e-9};
-  CHECK_THAT(at_speed(Motor(design), M::terminal_voltage_at, 1),
+  CHECK_THAT(metric_behind(Motor(design), M::terminal_voltage_at, 1),
              WithinRel(10 / std::abs(divider), 1e-12));
   // At 1 / sqrt(L C) the resistance alone limits it: V / (R omega C).
   const double resonance = 1 / std::sqrt(1.3e-3 * 8.5e-9);
   design.stator.frequency = resonance / (2 * kPi);
-  CHECK_THAT(at_speed(Motor(design), M::terminal_voltage_at, 1),
+  CHECK_THAT(metric_behind(Motor(design), M::terminal_voltage_at, 1),
              WithinRel(10 / (20 * resonance * 8.5e-9), 1e-9));
   // The free wave is driven by that voltage.
   MotorDesign shorted = design;
   shorted.driver.reset();
-  CHECK_THAT(number(design, M::free_amplitude),
-             WithinRel(number(shorted, M::free_amplitude) / (20 * resonance * 8.5e-9), 1e-9));
+  CHECK_THAT(
+      number_behind(design, M::free_amplitude),
+      WithinRel(number_behind(shorted, M::free_amplitude) / (20 * resonance * 8.5e-9), 1e-9));
 }
 
 TEST_CASE("a driver without inductance and resistance is ideal, to the bit (D8.2)",
@@ -202,7 +203,7 @@ TEST_CASE("a driver without inductance and resistance is ideal, to the bit (D8.2
       CHECK(one.status == other.status);
       CHECK((one.value == other.value || (std::isnan(one.value) && std::isnan(other.value))));
     }
-    CHECK(at_speed(b, M::driver_loss_at, 5) == 0);
+    CHECK(metric_behind(b, M::driver_loss_at, 5) == 0);
   }
 }
 
@@ -363,14 +364,14 @@ TEST_CASE("a forced backward wave behind a coil keeps Kirchhoff's laws (D8.4, D8
   nearly.stator.imbalance = Imbalance{1 + 1e-9, 1e-9, 0};
   for (const Metric metric : {M::phase_current_at, M::terminal_voltage_at, M::electrical_power_at,
                               M::driver_loss_at, M::matching_inductance_at})
-    CHECK_THAT(at_speed(Motor(nearly), metric, 5),
-               WithinRel(at_speed(Motor(equal), metric, 5), 1e-6));
+    CHECK_THAT(metric_behind(Motor(nearly), metric, 5),
+               WithinRel(metric_behind(Motor(equal), metric, 5), 1e-6));
   // An ideal driver whose voltages are those behind the coil drives the same backward wave: with a resistance so small that it
   // counts by its first order only, from both sides.
   MotorDesign unequal = unequal_motor(driven_motor(120));
   const auto ratio = [&](double resistance) {
     unequal.driver = Driver{.resistance = resistance};
-    return at_speed(Motor(unequal), M::backward_ratio_at, 5);
+    return metric_behind(Motor(unequal), M::backward_ratio_at, 5);
   };
   const double ideal = ratio(0), small = ratio(1e-3), twice = ratio(2e-3);
   CHECK_THAT(twice - ideal, WithinRel(2 * (small - ideal), 1e-3));

@@ -182,6 +182,19 @@ double DrivenWaves::divider() const {
   return modes_.has_series() ? series_action(modes_, omega_).size : 1;
 }
 
+// A free stator has two resonances, omega_1 and omega_2. Up to the root of the mean of their squares, or from there on, the force that
+// an amplitude needs grows with the distance from its own resonance, as (D5.1) takes it. The stiffer the contact, the higher that is:
+// the free stator's bounds it from above, that of a stuck contact from below.
+std::pair<double, double> DrivenWaves::own_side() const {
+  const StatorModes<double>& m = modes_;
+  if (!m.has_series() || m.series->inductance == 0 || m.capacitance == 0) return {0, HUGE_VAL};
+  const double electrical = 1 / (m.series->inductance * m.capacitance);
+  const double coupling = m.force_factor * m.force_factor / (m.mass * m.capacitance);
+  const double mean = 0.5 * (electrical + m.resonance * m.resonance + coupling);
+  if (resonance_ * resonance_ < mean) return {0, std::sqrt(mean)};
+  return {std::sqrt(mean + 0.5 * contact_stiffness() / m.mass), HUGE_VAL};
+}
+
 Stability DrivenWaves::stability(const SlopedWave& w) const {
   const double rate = 2 * omega_ * modes_.mass * divider(), a = w.wave.amplitude;
   return {w.fold() / (a * rate * rate),

@@ -5,6 +5,7 @@
 #include "point/point.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace twum::core {
 
@@ -120,6 +121,9 @@ class DrivenWaves {
   /// @}
   /// Of the free stator with the driver, at which dynamic_stiffness() is zero: that next to the modes' own [rad/s].
   double resonance() const { return resonance_; }
+  /// Frequencies at which the stator's own resonance drives a wave, not that of a driver's inductance with C_0 (D8.7): above the first
+  /// and below the second [rad/s].
+  std::pair<double, double> own_side() const;
   double drive() const { return drive_; }
   double omega() const { return omega_; }
   /// V0 / r per amplitude [rad/s/m]

@@ -35,21 +35,6 @@ void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
   if (!std::isfinite(load.value)) throw InputError("the load must be a finite number");
 }
 
-// A driver with an inductance resonates with C_0, so that a free stator has two resonances, omega_1 and omega_2. Up to the root of
-// the mean of their squares, or from there on, the force that an amplitude needs grows with the distance from its own resonance, as
-// (D5.1) takes it (D8.7). The stiffer the contact, the higher that is: the free stator's bounds a range from above, that of a stuck
-// contact from below.
-// @return lowest and highest frequency [rad/s]
-std::pair<double, double> one_resonance(const core::DrivenWaves& waves) {
-  const auto& m = waves.modes();
-  if (!m.has_series() || m.series->inductance == 0 || m.capacitance == 0) return {0, HUGE_VAL};
-  const double electrical = 1 / (m.series->inductance * m.capacitance);
-  const double coupling = m.force_factor * m.force_factor / (m.mass * m.capacitance);
-  const double mean = 0.5 * (electrical + m.resonance * m.resonance + coupling);
-  if (waves.resonance() * waves.resonance() < mean) return {0, std::sqrt(mean)};
-  return {std::sqrt(mean + 0.5 * waves.contact_stiffness() / m.mass), HUGE_VAL};
-}
-
 // Upper bound of the resonances: a stator with full contact that sticks all round.
 double highest_resonance(const core::DrivenWaves& waves) {
   const auto& m = waves.modes();
@@ -72,7 +57,7 @@ const char* to_string(BranchEndKind kind) noexcept {
 struct FrequencyResponse::Content {
   core::DrivenWaves waves;
   RotorLoad load;
-  std::pair<double, double> bounds;  // of one_resonance()
+  std::pair<double, double> bounds;  // of DrivenWaves::own_side()
   core::FrequencyPath path;
   double from, to;  // [rad/s]
 
@@ -80,7 +65,7 @@ struct FrequencyResponse::Content {
           const std::optional<std::pair<double, double>>& range)
       : waves(core::Drive::waves_of(design)),
         load(rotor_load),
-        bounds(one_resonance(waves)),
+        bounds(waves.own_side()),
         path(waves, load, lowest(range), highest(range)) {
     if (range) {
       from = kTurnOfResponse * range->first, to = kTurnOfResponse * range->second;

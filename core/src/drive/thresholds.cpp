@@ -109,6 +109,9 @@ Threshold Thresholds::frequency(bool start) {
     fold = start ? start_ : pull_out_;
   }
   if (!fold) throw SearchFailure{MetricStatus::undefined};
+  const auto [lowest, highest] = waves_.own_side();  // beyond, a start needs less frequency (D8.7)
+  if (fold->parameter < lowest || fold->parameter > highest)
+    throw SearchFailure{MetricStatus::undefined};
   const double f = fold->parameter / kTurn;
   return {f, fold->amplitude, f, fold->beyond_kink};
 }

@@ -106,7 +106,8 @@ class Holding {
       if (std::fabs(step) > room) step = std::copysign(room, step);
       if (std::fabs(step) <= kHeldRules.settled * w.omega) {
         HeldPoint found = held_point_of(w);
-        if (square < 0) found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
+        if (square < 0 && found.status != HeldStatus::not_converged)
+          found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
         return found;
       }
       auto next = loaded_.solve_at_frequency(w, w.omega + step);
@@ -125,7 +126,15 @@ class Holding {
     return waves_.drive() * waves_.drive() - w.force.imaginary * w.force.imaginary;
   }
 
+  // A drive that follows by its frequency keeps to the flank of the stator's own resonance (D8.7).
+  bool is_on_own_side(double omega) const {
+    const auto [lowest, highest] = waves_.own_side();
+    return omega >= lowest && omega <= highest;
+  }
+
   HeldPoint held_point_of(const LoadedWave& w) const {
+    if (control_ == DriveControl::frequency && !is_on_own_side(w.omega))
+      return without_wave(HeldStatus::not_converged);
     HeldPoint held;
     held.needed = kNoValue;
     held.amplitude = w.amplitude, held.frequency = w.omega / (2 * std::numbers::pi);
