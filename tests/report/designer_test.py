@@ -86,7 +86,7 @@ class Looks(Designer):
         self.assertIn("input", self.lines(".pair .legend span"))
 
     def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):
-        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        text = (ROOT / "examples/motors/plate-60.yaml").read_text()
         (self.folder / "radial.yaml").write_text(re.sub(r"(?m)^    wavelengths:", "    radial_motion: true\n    wavelengths:", text, count=1))
         told = "document.querySelector('.left-out').offsetHeight > 0"
         page = self.explore("radial", self.folder / "radial.yaml")
