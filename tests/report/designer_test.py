@@ -100,6 +100,21 @@ class Looks(Designer):
         self.explore("drive-60")
         self.assertFalse(self.browser.value(told))
 
+    def test_the_numbers_of_an_axis_do_not_reach_its_name(self):
+        # The longest number of each upright axis in the letters of the axis, and its room, of which 8 px lie
+        # between number and plot.
+        room = """[...document.querySelectorAll('.chart')].filter(n => n.plot?.axes[1]._values).map(({plot: u}) => { u.ctx.save(); u.ctx.font = u.axes[1].font[0];
+            const longest = Math.max(...u.axes[1]._values.map(v => u.ctx.measureText(v).width)) / devicePixelRatio; u.ctx.restore(); return u.axes[1]._size - 8 - longest; })"""
+        for width in (1400, 400):
+            self.explore("moving-60", width=width)
+            # A flywheel of 100 kg m^2 reaches 0.002 rpm: "0.0015" takes more than the usual room.
+            self.set("load_inertia", 100)
+            self.rest()
+            rooms = self.browser.value(room)
+            self.assertEqual(len(rooms), 7)
+            print(f"room of numbers on upright axes at {width} px: {min(rooms):.1f} px or more")
+            self.assertGreaterEqual(min(rooms), 0, rooms)
+
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)
         self.browser.value("document.querySelector('[data-parameter=preload]').scrollIntoView()")
