@@ -100,6 +100,27 @@ class Looks(Designer):
         self.explore("drive-60")
         self.assertFalse(self.browser.value(told))
 
+    def test_the_scale_of_the_cross_section_can_be_read(self):
+        for name in ("ring-60", "plate-60"):
+            for width in (1400, 400):
+                with self.subTest(name, width=width):
+                    self.explore(name, width=width)
+                    # Letters of 11 px have boxes of 12 px and more; those of the page around them have 16 px.
+                    height = self.browser.value("document.querySelector('.section text').getBoundingClientRect().height")
+                    self.assertTrue(9 < height < 20, height)
+
+    def test_a_printed_page_is_as_wide_as_the_paper_and_says_what_was_asked(self):
+        self.explore("moving-60")
+        self.browser.send("Emulation.setEmulatedMedia", {"media": "print"})
+        self.browser.settle()
+        width, page, sliders = self.browser.value("[document.querySelector('.right').clientWidth, document.getElementById('page').clientWidth, document.querySelector('.left').clientWidth]")
+        self.assertGreater(width, 0.9 * page)
+        self.assertEqual(sliders, 0)
+        # The duty that is held, and the motor that starts and stops.
+        for box in (".hold .exact", ".motion .exact"):
+            self.assertGreater(self.browser.value(f"document.querySelector('{box}').offsetHeight"), 0)
+        self.browser.send("Emulation.setEmulatedMedia", {"media": ""})
+
     def test_the_numbers_of_an_axis_do_not_reach_its_name(self):
         # The longest number of each upright axis in the letters of the axis, and its room, of which 8 px lie
         # between number and plot.
