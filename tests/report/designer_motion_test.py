@@ -100,6 +100,19 @@ study:
         self.assertNotEqual(self.browser.value(f"{PANEL}.startStop.numbers.stopTime"), before)
         self.compare("--set", "preload=140 N")
 
+    def test_a_long_motion_leaves_the_page_at_hand(self):
+        self.explore("moving-60")
+        self.type("end", "60 s")
+        self.assertIn("at most 5 s", self.text(".motion .read"))
+        self.type("end", "2 s")
+        self.assertEqual(self.text(".motion .read"), "")
+        # The longest pause between two looks at the page while it follows 2 s of the motor, a million steps.
+        pause = self.browser.value(f"""new Promise(done => {{ const p = {PANEL}; p.state.motor.values.preload = 160; p.changed = true; let [longest, last] = [0, performance.now()];
+            const look = () => {{ const now = performance.now(); longest = Math.max(longest, now - last); last = now; if (p.waiting !== null || p.changed) setTimeout(look, 1); else done(longest); }}; setTimeout(look, 30); }})""")
+        print(f"longest pause {pause:.0f} ms")
+        # A stop is asked to be honoured within a second; a task takes some milliseconds, other tests run beside this one.
+        self.assertLess(pause, 500)
+
     def test_what_has_no_motion_says_why(self):
         for name, words in (("ring-60", "a motor under a voltage"), ("drive-60", "rotor_inertia is missing")):
             self.explore(name)

@@ -86,7 +86,7 @@ class Looks(Designer):
         self.assertIn("input", self.lines(".pair .legend span"))
 
     def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):
-        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        text = (ROOT / "examples/motors/plate-60.yaml").read_text()
         (self.folder / "radial.yaml").write_text(re.sub(r"(?m)^    wavelengths:", "    radial_motion: true\n    wavelengths:", text, count=1))
         told = "document.querySelector('.left-out').offsetHeight > 0"
         page = self.explore("radial", self.folder / "radial.yaml")
@@ -99,6 +99,42 @@ class Looks(Designer):
         self.assertEqual(self.browser.value(f"readMotorYaml({json.dumps(saved)}, {PANEL}.tables, {PANEL}.core).besides['stator.radial_motion']"), "true")
         self.explore("drive-60")
         self.assertFalse(self.browser.value(told))
+
+    def test_the_scale_of_the_cross_section_can_be_read(self):
+        for name in ("ring-60", "plate-60"):
+            for width in (1400, 400):
+                with self.subTest(name, width=width):
+                    self.explore(name, width=width)
+                    # Letters of 11 px have boxes of 12 px and more; those of the page around them have 16 px.
+                    height = self.browser.value("document.querySelector('.section text').getBoundingClientRect().height")
+                    self.assertTrue(9 < height < 20, height)
+
+    def test_a_printed_page_is_as_wide_as_the_paper_and_says_what_was_asked(self):
+        self.explore("moving-60")
+        self.browser.send("Emulation.setEmulatedMedia", {"media": "print"})
+        self.browser.settle()
+        width, page, sliders = self.browser.value("[document.querySelector('.right').clientWidth, document.getElementById('page').clientWidth, document.querySelector('.left').clientWidth]")
+        self.assertGreater(width, 0.9 * page)
+        self.assertEqual(sliders, 0)
+        # The duty that is held, and the motor that starts and stops.
+        for box in (".hold .exact", ".motion .exact"):
+            self.assertGreater(self.browser.value(f"document.querySelector('{box}').offsetHeight"), 0)
+        self.browser.send("Emulation.setEmulatedMedia", {"media": ""})
+
+    def test_the_numbers_of_an_axis_do_not_reach_its_name(self):
+        # The longest number of each upright axis in the letters of the axis, and its room, of which 8 px lie
+        # between number and plot.
+        room = """[...document.querySelectorAll('.chart')].filter(n => n.plot?.axes[1]._values).map(({plot: u}) => { u.ctx.save(); u.ctx.font = u.axes[1].font[0];
+            const longest = Math.max(...u.axes[1]._values.map(v => u.ctx.measureText(v).width)) / devicePixelRatio; u.ctx.restore(); return u.axes[1]._size - 8 - longest; })"""
+        for width in (1400, 400):
+            self.explore("moving-60", width=width)
+            # A flywheel of 100 kg m^2 reaches 0.002 rpm: "0.0015" takes more than the usual room.
+            self.set("load_inertia", 100)
+            self.rest()
+            rooms = self.browser.value(room)
+            self.assertEqual(len(rooms), 7)
+            print(f"room of numbers on upright axes at {width} px: {min(rooms):.1f} px or more")
+            self.assertGreaterEqual(min(rooms), 0, rooms)
 
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)

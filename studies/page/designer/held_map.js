@@ -21,7 +21,7 @@ export class HeldMap {
   constructor(hold) {
     this.hold = hold;
     this.button =
-        el('button', {type: 'button', onclick: () => this.begin(), 'data-map': 'draw'}, 'Map over speed and torque');
+        el('button', {type: 'button', onclick: () => this.begin(), 'data-map': 'draw'}, 'Map of the efficiency');
     this.word = el('p', {class: 'read'});
     this.key = el('div', {});
     this.place = el('div', {});

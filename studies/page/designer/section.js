@@ -84,7 +84,9 @@ export class SectionView {
     // the picture is 104 units wide
     const unit = (outer - inner) / 100;
     const depth = (high - low) / unit;
-    this.picture.setAttribute('viewBox', `-2 -2 104 ${depth + 10}`);
+    // letters of 11 px, whichever of width and height limits the picture
+    const letters = 11 / Math.min((this.picture.clientWidth || 600) / 104, 250 / (depth + 10));
+    this.picture.setAttribute('viewBox', `-2 -2 104 ${depth + 8 + letters}`);
     const box = (p) => svg('rect', {
       x: (p.inner - inner) / unit,
       y: (high - p.high) / unit,
@@ -92,7 +94,7 @@ export class SectionView {
       height: Math.max((p.high - p.low) / unit, 0.25),
       class: 'fill-' + p.colour
     });
-    this.picture.replaceChildren(...parts.map(box), ...this.scale(unit, depth));
+    this.picture.replaceChildren(...parts.map(box), ...this.scale(unit, depth, letters));
     const names = parts.map((p) => p.name).join();
     if (names === this.names) return;
     this.names = names;
@@ -100,11 +102,13 @@ export class SectionView {
   }
 
   /** A bar of a round length. */
-  scale(unit, depth) {
+  scale(unit, depth, letters) {
     const size = 10 ** Math.floor(Math.log10(40 * unit));
     const length = [5, 2, 1].map((n) => n * size).find((l) => l <= 40 * unit);
     const bar = svg('line', {x1: 0, x2: length / unit, y1: depth + 4, y2: depth + 4, class: 'bar'});
-    const text = svg('text', {x: 1.5 + length / unit, y: depth + 5, 'font-size': 2.6}, engineering(length, 'm'));
+    const text =
+        svg('text', {x: 1.5 + length / unit, y: depth + 4 + 0.35 * letters, 'font-size': letters},
+            engineering(length, 'm'));
     return [bar, text];
   }
 }

@@ -9,6 +9,7 @@ import {displayUnit, engineering, noBreak, percent, rounded} from '../units.js';
 import {axisText, drawUpright} from './charts.js';
 import {CoreError} from './core.js';
 import {boxQuantity, readQuantity} from './quantity.js';
+import {longestMotion} from './state.js';
 
 // parameters that one changes for a start and a stop, beside the load torque and the times
 const parameterFields = ['voltage', 'frequency', 'rotor_inertia', 'load_inertia', 'off_resistance'];
@@ -17,8 +18,8 @@ const ownFields = {
   off: {name: 'switched off at', unit: 's'},
   end: {name: 'followed until', unit: 's'}
 };
-// rows of one task: some milliseconds
-const rowsAtOnce = 200;
+// steps of one task: some milliseconds
+const stepsAtOnce = 300;
 // of a motion
 const mostRows = 20000;
 const mostDrawn = 1200;
@@ -76,11 +77,11 @@ export class StartStop {
     const {tables, state} = this.panel;
     const unit = (ownFields[name] ?? tables.parameters[name]).unit;
     const found = readQuantity(tables, this.boxes[name].value, unit, 1);
-    const early = name === 'end' || name === 'off' ? !(found.value > 0) : false;
-    if (found.error || early) {
+    const outside = name in {end: 1, off: 1} && !(found.value > 0 && found.value <= longestMotion);
+    if (found.error || outside) {
       this.say(
           capital(this.boxes[name].getAttribute('aria-label')) + ': ' + this.boxes[name].value.slice(0, 30) + ' ' +
-          (found.error || 'has to be above 0') + '.');
+          (found.error || 'has to be above 0 s and at most ' + longestMotion + ' s') + '.');
       return;
     }
     if (!ownFields[name]) {
@@ -125,7 +126,9 @@ export class StartStop {
     this.showBoxes();
     this.form.hidden = !Number.isFinite(this.panel.now.values.voltage);
     try {
-      run.step = Math.max(this.panel.core.atRest(), run.end / mostRows);
+      const longest = this.panel.core.atRest();
+      run.step = Math.max(longest, run.end / mostRows);
+      run.rowsAtOnce = Math.ceil((stepsAtOnce * longest) / run.step);
       run.rows = {time: [0], speed: [0], angle: [0], amplitude: [0], held: [1]};
     } catch (error) { this.refuse(run, error); }
   }
@@ -133,6 +136,7 @@ export class StartStop {
   /** Puts the parts of the motion before the tasks that are left. */
   plan(run) {
     if (!run.rows) return;
+    const {rowsAtOnce} = run;
     const parts = [];
     const add = (from, to, on) => {
       const count = Math.ceil((to - from) / run.step - 1e-9);

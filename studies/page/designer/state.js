@@ -4,6 +4,9 @@
 
 import {coreArguments} from './core.js';
 
+// [s] a second of the motor takes two of the page
+export const longestMotion = 5;
+
 /**
  * @typedef {{metric: string, argument: string, at: number, sense: string, value: number}} Limit
  * @typedef {{name: string, values: Object<string, number>, branch: string, inner_edge: string | null, table:
@@ -117,7 +120,7 @@ export class DesignState {
     const [rest, rise] = list(query.get('load')).map(Number);
     if (Number.isFinite(rest) && Number.isFinite(rise)) this.view.load = {rest, rise};
     const [torque, off, end] = list(query.get('motion')).map(Number);
-    if (Number.isFinite(torque) && off > 0 && end > 0) this.view.motion = {torque, off, end};
+    if (Number.isFinite(torque) && off > 0 && end > 0 && end <= longestMotion) this.view.motion = {torque, off, end};
     const [held, at, control] = list(query.get('hold'));
     this.view.hold = {
       torque: held && Number.isFinite(Number(held)) ? Number(held) : null,

@@ -177,8 +177,8 @@ Chart map_chart(const MapResult& answer, std::size_t number) {
 Section map_section(const MapResult& answer, std::size_t number) {
   Section section{member_phrase(answer, answer.members[number]),
                   {"At each point the drive is set such that it holds the torque at the speed. A "
-                   "black line has "
-                   "one value, a red line one output power."}};
+                   "thin line has "
+                   "one value; lines of one output power have the colour of the key."}};
   if (!answer.family)
     section.heading = {name_part(answer.columns[answer.shown].name), " over speed and torque"};
   section.charts = {map_chart(answer, number)};
