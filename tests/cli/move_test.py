@@ -64,6 +64,25 @@ class Move(program.Case):
         self.assertIn("rotor_inertia", self.refused("move", DRIVE, "--engine", "oscillating"))
         self.assertIn("radial_slices", self.refused("move", MOVING, "--engine", "oscillating", "--set", "radial_slices=4"))
 
+    COIL = ("--set", "driver_inductance=1.3 mH", "--set", "driver_resistance=5 ohm", "--set", "voltage=60 V")
+
+    def test_a_coil_and_an_axial_mass(self):
+        rows = list(csv.DictReader(io.StringIO(self.ok("move", MOVING, *self.COIL, "--inertia", "93e-6 kg.m^2", "--time", "15 ms", "--format", "csv"))))
+        at = {round(float(row["time [s]"]), 7): row for row in rows}
+        # The steady end of a direct integration of wave and circuit.
+        self.assertAlmostEqual(float(at[0.0099]["speed [rad/s]"]), 11.373144, delta=1e-3)
+        self.assertAlmostEqual(float(at[0.0099]["amplitude [m]"]), 1.3834267e-6, delta=1e-4 * 1.38e-6)
+        self.assertIn("driver_inductance", self.refused("export", MOVING, *self.COIL, "--as", "tables", "-o", self.folder / "t"))
+        mass = ("--set", "rotor_mass=0.1 kg", "--set", "axial_damping=300 N.s/m", "--axial", "dynamic")
+        self.assertIn("turns at", self.ok("move", MOVING, *mass, "--time", "6 ms"))
+        self.assertIn("rise", self.ok("linearize", MOVING, *mass))
+        self.assertIn("rotor_mass", self.refused("move", MOVING, "--axial", "dynamic"))
+
+    def test_a_motion_and_its_plant_miss_the_same(self):
+        for options in ((DRIVE,), (MOVING, "--set", "voltage_ratio=1.02")):
+            of_motion, of_plant = (self.refused(command, *options) for command in ("move", "linearize"))
+            self.assertEqual(of_motion.removeprefix("twum: motor: "), of_plant.removeprefix("twum: "))
+
     def test_what_cannot_be_is_refused(self):
         self.assertIn("rotor_inertia", self.refused("move", DRIVE))
         for options, expected in ((("--time", "0 s"), "--time: '0 s'; expected more than 0"),
@@ -157,6 +176,7 @@ class Study(program.Case):
         rows = list(csv.DictReader(io.StringIO((self.folder / "out/results.csv").read_text())))
         self.assertEqual(len(rows), 21)
         self.assertEqual([name for name in rows[0] if "[" in name], ["time [s]", "speed [rad/s]", "frequency [Hz]"])
+        self.assertEqual((self.folder / "out/motion.csv").read_text(), (self.folder / "out/results.csv").read_text())
         speeds = [float(row["speed [rad/s]"]) for row in rows]
         # The first and the last steady speed of a direct integration, 16.0627 and 12.8449 rad/s.
         self.assertAlmostEqual(speeds[0], 16.062727, delta=1e-4 * 16)

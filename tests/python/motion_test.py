@@ -17,6 +17,19 @@ PROGRAM = os.environ.get("TWUM_PROGRAM")
 MOVING = ROOT / "examples/motors/moving-60.yaml"
 
 
+class Axial(unittest.TestCase):
+    def test_a_mass_behind_a_coil(self):
+        motor = twum.Motor(MOVING).replace(rotor_mass="0.1 kg", axial_damping="300 N.s/m", driver_inductance="1.3 mH",
+                                         driver_resistance="5 ohm", voltage="60 V")
+        self.assertEqual(motor.move("3 ms", axial="dynamic").status, "ok")
+        self.assertEqual(len(motor.linearize(0.1, axial="dynamic").states), 10)
+        point = motor.point(10)
+        self.assertAlmostEqual(point.electrical_power, point.output_power + point.friction_power + point.layer_loss + point.stator_loss
+                               + point.dielectric_loss + point.driver_loss, delta=1e-9)
+        with self.assertRaisesRegex(twum.InputError, "axial: expected 'static' or 'dynamic'"):
+            motor.move("3 ms", axial="free")
+
+
 class Move(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
