@@ -34,7 +34,7 @@ function(embed_with_hash name)
   write_bytes(${name}_hash ${hash})
 endfunction()
 
-# Modules become one script: `import` and `export` at the beginning of a line go, and so do comments that have lines of their own and indents.
+# Modules become one script: `import` and `export` at the beginning of a line go, and so do comments that have lines of their own, empty lines and indents.
 function(embed_modules name)
   set(bundle ${OUT}.${name}.js)
   file(WRITE ${bundle} "'use strict';\n")
@@ -44,7 +44,7 @@ function(embed_modules name)
     string(REPLACE "\nexport " "\n" part "${part}")
     string(REGEX REPLACE "\n */[*][*][^*]*([*]+[^*/][^*]*)*[*]+/" "" part "${part}")
     string(REGEX REPLACE "\n *//[^\n]*" "" part "${part}")
-    string(REGEX REPLACE "\n +" "\n" part "${part}")
+    string(REGEX REPLACE "\n[\n ]+" "\n" part "${part}")
     file(APPEND ${bundle} "${part}\n")
   endforeach()
   embed_with_hash(${name} ${bundle})

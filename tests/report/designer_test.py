@@ -92,7 +92,7 @@ class Looks(Designer):
         page = self.explore("radial", self.folder / "radial.yaml")
         self.quiet(page)
         self.assertTrue(self.browser.value(told))
-        self.assertIn("computes without it", self.text(".left-out"))
+        self.assertIn("without the radial motion", self.text(".left-out"))
         # It stays in a motor that the page saves and reads again.
         saved = self.browser.value(f"motorYaml({PANEL}.state.motor, {PANEL}.tables)")
         self.assertIn("radial_motion: true", saved)
@@ -108,6 +108,24 @@ class Looks(Designer):
                     # Letters of 11 px have boxes of 12 px and more; those of the page around them have 16 px.
                     height = self.browser.value("document.querySelector('.section text').getBoundingClientRect().height")
                     self.assertTrue(9 < height < 20, height)
+
+    def test_temperatures_are_those_of_the_motor_in_the_file(self):
+        self.explore("warm-60")
+        told = json.loads(twum("curve", ROOT / "examples/motors/warm-60.yaml", "--points", 2, "--format", "json").stdout)["metrics"]
+        shown = dict(zip(self.lines(".fixed span"), self.lines(".fixed strong")))
+        self.assertEqual(len(shown), len(OF_HEAT))
+        for name in OF_HEAT:
+            value = shown[name.replace("_", " ")].split(" ")
+            unit = {"K": 1, "s": 1, "N·m": 1, "mN·m": 1e-3}[value[1]]
+            self.assertAlmostEqual(float(value[0]) * unit, told[name], delta=5.1e-4 * told[name], msg=name)  # four digits
+        # They do not follow the sliders, and are pale then.
+        opacity = "getComputedStyle(document.querySelector('.fixed')).opacity"
+        self.assertEqual(self.browser.value(opacity), "1")
+        self.set("preload", 150)
+        self.rest()
+        self.assertLess(float(self.browser.value(opacity)), 0.5)
+        self.explore("drive-60")
+        self.assertEqual(self.browser.value("document.querySelector('.fixed').offsetHeight"), 0)
 
     def test_a_printed_page_is_as_wide_as_the_paper_and_says_what_was_asked(self):
         self.explore("moving-60")
@@ -319,8 +337,8 @@ class InReports(Designer):
     def test_a_report_grows_by_less_than_600_kilobytes(self):
         page = (self.result("optimize-ring-60") / "report.html").read_text()
         core = re.search(r'id="core">([^<]*)<', page)[1]
-        # Comments that have lines of their own and indents stay out of the page.
-        parts = sum(len(re.sub(r"\n +", "\n", re.sub(r"\n *(//[^\n]*|/\*\*.*?\*/)", "", path.read_text(), flags=re.S))) for path in (ROOT / "studies/page/designer").glob("*.*"))
+        # Comments that have lines of their own, empty lines and indents stay out of the page.
+        parts = sum(len(re.sub(r"\n[\n ]+", "\n", re.sub(r"\n *(//[^\n]*|/\*\*.*?\*/)", "", path.read_text(), flags=re.S))) for path in (ROOT / "studies/page/designer").glob("*.*"))
         tables = sum(len(json.dumps(json.loads(page.split('id="data">')[1].split("</script>")[0])[key])) for key in ("designer", "parameters", "metrics"))
         self.assertLess(len(core) + parts + tables, 600e3)
 

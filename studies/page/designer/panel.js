@@ -9,12 +9,13 @@ import {engineering, percent} from '../units.js';
 import {ParameterRow, partTitles, Tiles} from './controls.js';
 import {CoreError} from './core.js';
 import {HoldView} from './hold.js';
+import {LeftOut} from './left_out.js';
 import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
 import {motorCharts, zoneLegend} from './motor_charts.js';
 import {SectionView} from './section.js';
 import {StartStop} from './start_stop.js';
 import {DesignState} from './state.js';
-import {designerTools} from './tools.js';
+import {designerTools, stepKeys} from './tools.js';
 import {FieldsView, WaveView} from './wave.js';
 
 const curvePoints = 161;
@@ -62,11 +63,8 @@ export class DesignerPanel {
         Array.from({length: 8}, () => el('div', {}));
     this.tiles = new Tiles(el('div', {class: 'facts'}), this);
     this.fieldsTitle = el('p', {class: 'read', 'data-fields': 'title'});
-    this.leftOut =
-        el('p', {class: 'left-out', hidden: ''},
-           'The file of this motor has the radial motion of the surface switched on. This page computes without it; ' +
-               'the commands of twum and their reports include it.');
-    tiles.append(this.leftOut, this.tiles.node);
+    this.leftOut = new LeftOut(this.state.opened, this.tables.left_out);
+    tiles.append(this.leftOut.radial, this.tiles.node, this.leftOut.facts);
     this.limits = new LimitsEditor(this);
     this.startStop = new StartStop(this);
     this.hold = new HoldView(this);
@@ -85,7 +83,7 @@ export class DesignerPanel {
            panelCard('The drive follows', '', this.hold.node), panelCard('Start and stop', '', this.startStop.node),
            panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
-    node.addEventListener('keydown', (event) => this.keys(event));
+    node.addEventListener('keydown', (event) => stepKeys(this, event));
   }
 
   buildCharts(torque, power, efficiency, wave, traction, velocity, section) {
@@ -154,15 +152,6 @@ export class DesignerPanel {
     const at = Math.round((this.state.view.speed / this.now.last_speed) * (count - 1));
     const next = keyStep(event, at, count);
     if (next !== null) this.setSpeed((next / (count - 1)) * this.now.last_speed);
-  }
-
-  keys(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === 'text')
-      return;
-    if (event.key === 'z' || event.key === 'y') {
-      event.preventDefault();
-      this.stepTo(event.key === 'y' || event.shiftKey ? 'forth' : 'back');
-    }
   }
 
   stepTo(which) {
@@ -346,7 +335,7 @@ export class DesignerPanel {
     this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
     if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
     for (const entry of this.ofTerminals) entry.hidden = !this.now?.modal;
-    this.leftOut.hidden = motor.besides['stator.radial_motion'] !== 'true';
+    this.leftOut.show(motor);
     this.placeRows();
     for (const [name, row] of Object.entries(this.rows))
       if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));

@@ -70,3 +70,13 @@ export function designerTools(panel) {
         panel.changed = true;
       }), panel.inAddress ? button('Copy link', () => copyLink(panel)) : null);
 }
+
+/** Undo and redo by the keyboard. */
+export function stepKeys(panel, event) {
+  if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === 'text')
+    return;
+  if (event.key === 'z' || event.key === 'y') {
+    event.preventDefault();
+    panel.stepTo(event.key === 'y' || event.shiftKey ? 'forth' : 'back');
+  }
+}

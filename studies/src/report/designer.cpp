@@ -18,6 +18,7 @@ std::string designer_html(const MotorFile& motor) {
                   {"reasons", reasons_json()},
                   {"units", units_json()},
                   {"materials", materials_json()},
+                  {"left_out", left_out_metrics_json(motor.design)},
                   {"motor", stated_motor_json(motor.name, motor.design)},
                   {"core", base85(assets::core_module())}};
   std::string page = dressed(assets::designer_page(), {assets::style(), assets::style_hash()},

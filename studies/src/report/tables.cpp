@@ -4,12 +4,14 @@
 #include "yaml/yaml_text.hpp"
 
 #include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/io/engineering.hpp>
 #include <twum/io/units.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/motors/catalogue.hpp>
 #include <twum/motors/motor_file.hpp>
+#include <twum/motors/plain_name.hpp>
 #include <twum/motors/reasons.hpp>
 
 #include <algorithm>
@@ -137,6 +139,23 @@ Json parameters_json(std::string_view text) {
 bool left_out_of_pages(const MetricInfo& row) {
   return row.needs_thermal || row.needs_wear || row.needs_motion ||
          row.metric == Metric::radial_motion_ratio;
+}
+
+Json left_out_metrics_json(const MotorDesign& design) {
+  std::vector<MetricRequest> requests;
+  for (const MetricInfo& row : metric_table())
+    if ((row.needs_thermal || row.needs_wear) && row.argument == Argument::none)
+      requests.push_back({row.metric});
+  const std::vector<MetricValue> values = evaluate(Motor(design), requests);
+  Json json = Json::array();
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const MetricInfo& row = info(requests[i].metric);
+    if (values[i].status != MetricStatus::ok) continue;
+    json.push_back({{"name", plain_name(std::string(row.name))},
+                    {"text", row.text},
+                    {"shown", printed_engineering(values[i].value, row.unit)}});
+  }
+  return json;
 }
 
 Json metrics_json(std::string_view text) {

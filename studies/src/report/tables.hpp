@@ -20,6 +20,10 @@ Json parameters_json(std::string_view text);
 /// "modes", "geometry", "absent": of heat, wear or radial motion, which a page does not compute}}; likewise
 Json metrics_json(std::string_view text);
 
+/// [{"name", "text", "shown"}] of metrics of heat and wear that the design has and a page does not compute: those of the whole
+/// motor.
+Json left_out_metrics_json(const MotorDesign& design);
+
 /// {word: what it means} of missing answers
 Json reasons_json();
 
