@@ -85,6 +85,15 @@ class Looks(Designer):
                 self.assertAlmostEqual(power, whole, delta=1e-9 * max(losses))
         self.assertIn("input", self.lines(".pair .legend span"))
 
+    def test_a_motor_with_a_coil_of_the_driver_says_that_the_page_leaves_it_out(self):
+        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        (self.folder / "coil.yaml").write_text(text + "  driver: {inductance: 1 mH, off_resistance: 450 ohm}\n")
+        self.quiet(self.explore("coil", self.folder / "coil.yaml"))
+        self.assertIn("without the circuit of the driver", self.text(".left-out"))
+        saved = self.browser.value(f"motorYaml({PANEL}.state.motor, {PANEL}.tables)")
+        self.assertRegex(saved, r"inductance: 1 mH")
+        self.assertRegex(saved, r"off_resistance: 450 ohm")
+
     def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):
         text = (ROOT / "examples/motors/plate-60.yaml").read_text()
         (self.folder / "radial.yaml").write_text(re.sub(r"(?m)^    wavelengths:", "    radial_motion: true\n    wavelengths:", text, count=1))

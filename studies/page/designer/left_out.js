@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page does not compute: the radial motion, and numbers of the motor in the file that come with the page.
+// What the page does not compute: the radial motion, the circuit of the driver, and numbers of the motor in the file that come with the page.
 
 import {el} from '../dom.js';
 
@@ -7,9 +7,7 @@ export class LeftOut {
   /** @param {{name: string, text: string, shown: string}[]} list */
   constructor(motor, list = []) {
     this.motor = JSON.stringify(motor);
-    this.radial =
-        el('p', {class: 'left-out'},
-           'This page computes without the radial motion of the surface, which this motor has switched on.');
+    this.without = el('p', {class: 'left-out'});
     this.facts =
         el('div', {class: 'facts fixed'}, list.length ? 'of the motor in the file:' : '',
            list.map(({name, text, shown}) => el('div', {title: text}, el('span', {}, name), el('strong', {}, shown))));
@@ -17,6 +15,11 @@ export class LeftOut {
 
   show(motor) {
     this.facts.classList.toggle('old', JSON.stringify(motor) !== this.motor);
-    this.radial.hidden = motor.besides['stator.radial_motion'] !== 'true';
+    const kept = motor.besides;
+    const left = [];
+    if (kept['stator.radial_motion'] === 'true') left.push('the radial motion of the surface');
+    if (parseFloat(kept['driver.inductance']) || parseFloat(kept['driver.resistance'])) left.push('the circuit of the driver');
+    this.without.hidden = !left.length;
+    this.without.textContent = `This page computes without ${left.join(' and ')}, which this motor has.`;
   }
 }

@@ -64,7 +64,7 @@ export class DesignerPanel {
     this.tiles = new Tiles(el('div', {class: 'facts'}), this);
     this.fieldsTitle = el('p', {class: 'read', 'data-fields': 'title'});
     this.leftOut = new LeftOut(this.state.opened, this.tables.left_out);
-    tiles.append(this.leftOut.radial, this.tiles.node, this.leftOut.facts);
+    tiles.append(this.leftOut.without, this.tiles.node, this.leftOut.facts);
     this.limits = new LimitsEditor(this);
     this.startStop = new StartStop(this);
     this.hold = new HoldView(this);

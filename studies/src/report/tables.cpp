@@ -81,14 +81,16 @@ Json only_true(Json row) {
   return row;
 }
 
-// What a motor file gives for temperatures, wear, axial and radial motion and a drive that follows: a page keeps it as it is.
+// What a motor file gives for temperatures, wear, axial and radial motion, the circuit of a driver and a drive that follows: a page keeps it as it is.
 bool is_kept(std::string_view entry) {
-  constexpr std::array<std::string_view, 7> kKept{"thermal.",
+  constexpr std::array<std::string_view, 9> kKept{"thermal.",
                                                   "wear.",
                                                   "operation",
                                                   "stator.control",
                                                   "stator.frequency_range",
                                                   "rotor.axial_damping",
+                                                  "driver.inductance",
+                                                  "driver.resistance",
                                                   "stator.radial_motion"};
   return std::ranges::any_of(kKept, [&](std::string_view one) { return entry.starts_with(one); });
 }
