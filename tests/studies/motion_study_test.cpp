@@ -84,7 +84,9 @@ TEST_CASE("measures are numbers of the samples", "[studies][motion]") {
     largest = std::max(largest, s.speed);
     amplitude = std::max(amplitude, s.amplitude);
   }
-  CHECK(value(2) == Approx(largest / settled - 1).epsilon(1e-12));
+  // The peak lies between samples 30 us apart, which miss it by up to a parabola's (15 us)^2 over a rise of a millisecond: 2e-4.
+  CHECK(value(2) >= largest / settled - 1);
+  CHECK(value(2) == Approx(largest / settled - 1).epsilon(2e-4));
   CHECK(value(3) == amplitude);
   // 20.015 ms is no time of a row: the motion has a sample there all the same.
   const auto off = std::ranges::lower_bound(samples, 0.020015, {}, &motion::MotionSample::time);
