@@ -86,7 +86,8 @@ class Kept {
 
 class Answers final : public MotionMetrics {
  public:
-  explicit Answers(const MotorDesign& design) : design_(design) {}
+  Answers(const MotorDesign& design, std::vector<Parameter> wanted)
+      : design_(design), wanted_(std::move(wanted)) {}
 
   MetricValue evaluate(const MetricRequest& request) override {
     return answered([&] { return number(request); });
@@ -103,6 +104,7 @@ class Answers final : public MotionMetrics {
     };
     const MetricValue status = answered([&] {
       found.gradient = gradient();
+      leave_out_others(found.gradient);
       return found.value.value;
     });
     if (status.status == MetricStatus::ok) found.smoothness = smoothness(found);
@@ -141,7 +143,7 @@ class Answers final : public MotionMetrics {
   // @throws WithoutValue if not all derivatives are finite
   std::array<double, kParameterCount> gradient_of_runs(const MetricRequest& request, bool fixed) {
     if (!slopes_ || fixed != fixed_) {
-      slopes_.emplace(design_, fixed);
+      slopes_.emplace(design_, fixed, wanted_);
       fixed_ = fixed, moving_ = {};
     }
     const Moving found = moving_.number(ManoeuvreRuns(design_, &*slopes_), request);
@@ -163,7 +165,15 @@ class Answers final : public MotionMetrics {
     if (driver.resistance == 0) gradient[index_of(Parameter::driver_resistance)] = kNoValue;
   }
 
+  void leave_out_others(std::array<double, kParameterCount>& gradient) const {
+    if (wanted_.empty()) return;
+    for (std::size_t i = 0; i < kParameterCount; ++i)
+      if (std::ranges::find(wanted_, static_cast<Parameter>(i)) == wanted_.end())
+        gradient[i] = kNoValue;
+  }
+
   const MotorDesign& design_;
+  std::vector<Parameter> wanted_;
   std::optional<ModelSlopes> slopes_;
   bool fixed_{false};
   Kept plain_, moving_;
@@ -172,7 +182,12 @@ class Answers final : public MotionMetrics {
 }  // namespace
 
 std::unique_ptr<MotionMetrics> motion_metrics(const MotorDesign& design) {
-  return std::make_unique<Answers>(design);
+  return std::make_unique<Answers>(design, std::vector<Parameter>{});
+}
+
+std::unique_ptr<MotionMetrics> motion_metrics(const MotorDesign& design,
+                                              std::vector<Parameter> wanted) {
+  return std::make_unique<Answers>(design, std::move(wanted));
 }
 
 }  // namespace twum::motion

@@ -3,6 +3,7 @@
 
 #include <twum/core/motor.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,12 +46,14 @@ bool counts_in_motion(P parameter) {
   return parameter < P::conductivity || parameter > P::lining_youngs_modulus;
 }
 
-ModelSlopes::ModelSlopes(const MotorDesign& design, bool fixed_static_friction)
+ModelSlopes::ModelSlopes(const MotorDesign& design, bool fixed_static_friction,
+                         std::span<const Parameter> wanted)
     : contact_(with_given_slices(design), fixed_static_friction) {
   const ParameterJacobian jacobian = parameter_jacobian(design, fixed_static_friction);
   for (std::size_t i = 0; i < kParameterCount; ++i) {
     const auto parameter = static_cast<P>(i);
-    if (in_use(design, parameter) && counts_in_motion(parameter))
+    const bool asked = wanted.empty() || std::ranges::find(wanted, parameter) != wanted.end();
+    if (asked && in_use(design, parameter) && counts_in_motion(parameter))
       columns_.push_back(slope(design, jacobian, parameter));
   }
 }

@@ -6,6 +6,7 @@
 #include <twum/core/contact_gradients.hpp>
 #include <twum/core/parameters.hpp>
 
+#include <span>
 #include <vector>
 
 namespace twum::motion {
@@ -26,7 +27,9 @@ bool counts_in_motion(Parameter parameter);
 /// How a motion under the drive of its design moves with the design: a column for each parameter that may count.
 class ModelSlopes {
  public:
-  explicit ModelSlopes(const MotorDesign& design, bool fixed_static_friction);
+  /// @param wanted  the only parameters that have a column; empty: all
+  explicit ModelSlopes(const MotorDesign& design, bool fixed_static_friction,
+                       std::span<const Parameter> wanted = {});
 
   const std::vector<ModelSlope>& columns() const { return columns_; }
   const ContactDifferentiator& contact() const { return contact_; }

@@ -42,7 +42,7 @@ MotorDesign full_motor() {
 
 TEST_CASE("a rotor hops where another program says so (M4.5, C21.7)",
           "[motion][manoeuvres][reference]") {
-  // motion.md's program and its direct integration, which bends by 2 to 8 %.
+  // An averaged program, and a direct integration, whose rates differ by 2 to 8 %.
   struct Hop {
     double inertia, mass, averaged, direct;
   };
@@ -246,6 +246,24 @@ TEST_CASE("derivatives of a stop are those of another program (M10.1)",
   };
   CHECK(slope(M::stop_angle_at) == Approx(0.22523e-3).epsilon(1e-4));
   CHECK(slope(M::stop_time_at) == Approx(13.96e-6).epsilon(8e-4));
+}
+
+TEST_CASE("derivatives may be asked in some parameters only", "[motion][manoeuvres]") {
+  const MotorDesign d = elastic_60(1e-4);
+  const MetricRequest request = under(M::start_time_at, 0.2);
+  const std::vector<P> wanted{P::preload, P::kinetic_friction, P::youngs_modulus, P::voltage,
+                              P::rotor_inertia};
+  const auto all = motion_metrics(d)->differentiate(request, false);
+  const auto some = motion_metrics(d, wanted)->differentiate(request, false);
+  REQUIRE(all.value.status == MetricStatus::ok);
+  CHECK(some.value.value == all.value.value);
+  for (std::size_t i = 0; i < kParameterCount; ++i) {
+    CAPTURE(info(static_cast<P>(i)).name);
+    const bool asked = std::ranges::find(wanted, static_cast<P>(i)) != wanted.end();
+    // Other steps, with sensitivities right to 1e-5 of their scale (M10.1).
+    if (asked) CHECK(some.gradient[i] == Approx(all.gradient[i]).epsilon(1e-4));
+    if (!asked) CHECK(std::isnan(some.gradient[i]));
+  }
 }
 
 TEST_CASE("other manoeuvres have derivatives, too", "[motion][manoeuvres]") {
