@@ -81,7 +81,8 @@ Json only_true(Json row) {
   return row;
 }
 
-// What a motor file gives for temperatures, wear, axial and radial motion, the circuit of a driver and a drive that follows: a page keeps it as it is.
+// What a motor file gives for temperatures, wear, axial and radial motion, the circuit of a driver and a drive that follows: a page
+// keeps it as it is.
 bool is_kept(std::string_view entry) {
   constexpr std::array<std::string_view, 9> kKept{"thermal.",
                                                   "wear.",
@@ -140,7 +141,8 @@ Json parameters_json(std::string_view text) {
 // Metrics that the core of a page does not compute, and which stand in a page only if it names them.
 bool left_out_of_pages(const MetricInfo& row) {
   return row.needs_thermal || row.needs_wear || row.needs_motion ||
-         row.metric == Metric::radial_motion_ratio;
+         row.metric == Metric::radial_motion_ratio || row.metric == Metric::terminal_voltage_at ||
+         row.metric == Metric::driver_loss_at;
 }
 
 Json left_out_metrics_json(const MotorDesign& design) {
