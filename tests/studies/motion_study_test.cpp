@@ -2,6 +2,7 @@
 // Studies of motions in time.
 #include "entries/motion_columns.hpp"
 #include "entries/motion_task.hpp"
+#include "results/answers.hpp"
 
 #include "support/motor_files.hpp"
 
@@ -130,6 +131,32 @@ TEST_CASE("a motion is told by its start and its stop", "[studies][motion]") {
   MotionStudy weak = start_and_stop();
   weak.drive.voltage = 80.0;
   CHECK(summary_text(moved(weak)).find("does not run") != std::string::npos);
+}
+
+TEST_CASE("a motion notes what it leaves out", "[studies][motion]") {
+  // The load passes the speeds of squeal slowly, and nothing damps the hops of the rotor; of the bare rotor neither grows.
+  MotorDesign loaded = moving_motor();
+  loaded.rotor.mass = 0.1;
+  loaded.load = ShaftLoad{.inertia = 1e-3};
+  const StudyResult result = moved(start_and_stop(), loaded);
+  const Json notes = answer_json(motion_of(result))["motion"]["notes"];
+  REQUIRE(!notes.empty());
+  CHECK(notes[0]["note"] == "squeals-while-moving");
+  CHECK(summary_text(result).find("Note squeals-while-moving: ") != std::string::npos);
+  MotorDesign bare = moving_motor();
+  bare.rotor.mass = 0.1, bare.rotor.axial_damping = 300;
+  CHECK(answer_json(motion_of(moved(start_and_stop(), bare)))["motion"]["notes"].empty());
+}
+
+TEST_CASE("a motor that does not turn is not said to, nor one that speeds up to be settled",
+          "[studies][motion]") {
+  MotorDesign free = moving_motor();
+  free.preload = 0;
+  CHECK(summary_text(moved(start_and_stop(), free)).find("does not turn") != std::string::npos);
+  MotorDesign heavy = moving_motor();
+  heavy.load = ShaftLoad{.inertia = 1};
+  CHECK(summary_text(moved(start_and_stop(), heavy)).find("is still getting faster") !=
+        std::string::npos);
 }
 
 TEST_CASE("a motion in each vibration tells the error of its points and steps",

@@ -392,12 +392,13 @@ class Motor:
         phase_difference: _Profile | None = None,
         steady: bool = False,
         engine: str = "averaged",
+        axial: str = "static",
         accuracy: float = 1.0,
         points: int = 401,
         stop: _Stop | None = None,
         progress: _Progress | None = None,
     ) -> Motion: ...
-    def linearize(self, load_torque: _Quantity = 0.0) -> Plant: ...
+    def linearize(self, load_torque: _Quantity = 0.0, axial: str = "static") -> Plant: ...
     def _squeals(self, speeds: NDArray[np.float64]) -> list[bool | None]: ...
     # from the tables: begin
     @property

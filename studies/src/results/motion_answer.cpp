@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
+#include "results/motion_notes.hpp"
 
 namespace twum::studies {
 namespace {
@@ -50,6 +51,9 @@ Json motion_json(const MotionResult& result, const MotionResult::Member& member)
   json["events"] = Json::array();
   for (const motion::MotionEvent& event : member.motion.events)
     json["events"].push_back(event_json(event));
+  json["notes"] = Json::array();
+  for (const MotionNote& note : motion_notes(member.motion))
+    json["notes"].push_back({{"note", note.name}, {"text", note.text}});
   json["measures"] = Json::array();
   for (const MotionResult::Measure& one : member.measures) {
     json["measures"].push_back(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/motion_notes.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
@@ -68,6 +69,8 @@ Section events(const MotionResult& answer) {
     if (told.size() > kTold)
       section.remarks.push_back(
           {"The first ", count_part(kTold), " of ", count_part(told.size()), " events are told."});
+    for (const MotionNote& note : motion_notes(motor.motion))
+      section.remarks.push_back({"Note " + note.name + ": " + note.text});
   }
   section.tables = {table};
   return section;
