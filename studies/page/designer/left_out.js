@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page does not compute: the radial motion, the circuit of the driver, and numbers of the motor in the file that come with the page.
+// What the page does not compute: the radial motion, the circuit of the driver, and numbers of the motor in the
+// file that come with the page.
 
 import {el} from '../dom.js';
 
@@ -16,10 +17,12 @@ export class LeftOut {
   show(motor) {
     this.facts.classList.toggle('old', JSON.stringify(motor) !== this.motor);
     const kept = motor.besides;
-    const left = [];
-    if (kept['stator.radial_motion'] === 'true') left.push('the radial motion of the surface');
-    if (parseFloat(kept['driver.inductance']) || parseFloat(kept['driver.resistance'])) left.push('the circuit of the driver');
-    this.without.hidden = !left.length;
-    this.without.textContent = `This page computes without ${left.join(' and ')}, which this motor has.`;
+    const told = [];
+    if (kept['stator.radial_motion'] === 'true')
+      told.push('This page computes without the radial motion of this motor.');
+    if (parseFloat(kept['driver.inductance']) || parseFloat(kept['driver.resistance']))
+      told.push('This page computes without the circuit of the driver.');
+    this.without.hidden = !told.length;
+    this.without.textContent = told.join(' ');
   }
 }

@@ -49,10 +49,12 @@ function motorTree(motor, tables) {
 }
 
 /**
- * What the page keeps of a file without reading it: temperatures, wear, axial and radial motion, the circuit of a driver, a drive that follows.
+ * What the page keeps of a file without reading it: temperatures, wear, axial and radial motion, the circuit of a
+ * driver, a drive that follows.
  */
-const keptEntries =
-    /^(thermal\.|wear\.|rotor\.axial_damping$|driver\.(inductance|resistance)$|operation$|stator\.(control|frequency_range|radial_motion)$)/;
+const keptEntries = new RegExp(
+    '^(thermal\\.|wear\\.|rotor\\.axial_damping$|driver\\.(inductance|resistance)$|operation$|' +
+    'stator\\.(control|frequency_range|radial_motion)$)');
 
 /** A value of a file in one line of YAML. */
 function flowText(value) {
