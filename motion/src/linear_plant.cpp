@@ -429,6 +429,9 @@ LinearPlant linearize(const MotorDesign& design, double load_torque, AxialMotion
   plant.c = rows_of(stacked(outputs.c)), plant.d = rows_of(stacked(outputs.d));
   const Eigen::VectorXd sizes = sizes_of_states(model, at, places, near);
   plant.poles = poles_of(s, sizes);
+  // A circuit that rings as fast as the stator vibrates is none of the averaged motor's motions (M3.1).
+  const double omega = 2 * std::numbers::pi * at.frequency;
+  std::ranges::stable_partition(plant.poles, [&](Complex pole) { return std::abs(pole) < omega; });
   plant.gains = steady_gains(s, sizes, outputs);
   return plant;
 }

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -154,6 +155,23 @@ TEST_CASE("the voltages of start and hold are extrema of the inverter's (D8.3)",
     CAPTURE(f);
     CHECK_THAT(number_behind(with(design, Parameter::frequency, f), level), WithinRel(60.0, 1e-9));
   }
+}
+
+TEST_CASE("the lag behind the inverter passes half a turn without a jump (D8.2)",
+          "[core][driven][limit]") {
+  // From below the resonance of coil and phases to beyond it, where the inverter's voltage turns round.
+  double last = std::numeric_limits<double>::quiet_NaN();
+  bool beyond = false;
+  for (double inductance = 1.2e-3; inductance < 2.2e-3; inductance += 2e-5) {
+    const Motor motor(behind_series(inductance, 1, 120));
+    const double lag = metric_behind(motor, M::phase_lag_at, 5);
+    CAPTURE(inductance, lag);
+    if (!std::isnan(last)) CHECK(std::fabs(lag - last) < 0.5);
+    CHECK(motor.operating_point(5).phase_lag == lag);
+    beyond = beyond || lag > kPi;
+    last = lag;
+  }
+  CHECK(beyond);
 }
 
 TEST_CASE("a large resistance impresses the current (D8.2)", "[core][driven][limit]") {

@@ -301,6 +301,40 @@ TEST_CASE("a small series branch changes a start as much as its steady state (M3
   CHECK(two - ideal == Approx(2 * (one - ideal)).epsilon(5e-3));
 }
 
+TEST_CASE(
+    "the power of each vibration is that of the steady state down to a small resistance (M3.1)",
+    "[motion][limit]") {
+  // A resistance that charges the capacitance faster than a step must not feel the steps. The wave turns by 2 pi / 100 in a
+  // step, whose square over 12 is 3e-4, and the steady state is reached to a thousandth.
+  for (const double resistance : {1e-3, 1.0, 5.0, 50.0}) {
+    CAPTURE(resistance);
+    const MotorDesign d = behind_coil(1e-4, 0, resistance, 140);
+    MotionTask task = steady_drive(d, 0.003);
+    task.engine = MotionEngine::oscillating;
+    task.load_torque = Profile({{0, 0.3}});
+    task.initial.steady = true;
+    task.output_times = {0.002, 0.003};
+    const Motion motion = simulate(d, task);
+    REQUIRE(motion.status == "ok");
+    const double power = (motion.samples[1].energy - motion.samples[0].energy) / 0.001;
+    const MetricValue steady = evaluate(Motor(d), {M::electrical_power_at, Argument::torque, 0.3});
+    CHECK(power == Approx(steady.value).epsilon(3e-3));
+  }
+}
+
+TEST_CASE("a circuit that rings as fast as the stator is no rate of the motor (M3.1, M7.1)",
+          "[motion][linear]") {
+  const double ideal =
+      evaluate(Motor(elastic_60(1e-4, 140)), {M::settling_rate_at, Argument::torque, 0.2}).value;
+  for (const double resistance : {0.0, 0.1, 5.0}) {
+    CAPTURE(resistance);
+    const MotorDesign d = behind_coil(1e-4, 1e-5, resistance, 140);
+    // Ten microhenry at 40.8 kHz are 0.5 % of the reactance of the phases.
+    const MetricValue found = evaluate(Motor(d), {M::settling_rate_at, Argument::torque, 0.2});
+    CHECK(found.value == Approx(ideal).epsilon(0.1));
+  }
+}
+
 TEST_CASE("a coil needs a capacitance, and a table an ideal driver", "[motion][errors]") {
   MotorDesign d = behind_coil(1e-4);
   CHECK_THROWS_WITH(tabulate(d), Catch::Matchers::Contains("driver_inductance"));

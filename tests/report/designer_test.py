@@ -91,7 +91,7 @@ class Looks(Designer):
         self.quiet(self.explore("coil", self.folder / "coil.yaml"))
         self.assertIn("without the circuit of the driver", self.text(".left-out"))
         saved = self.browser.value(f"motorYaml({PANEL}.state.motor, {PANEL}.tables)")
-        self.assertRegex(saved, r"inductance: 1 mH")
+        self.assertRegex(saved, r"inductance: 0.001 H")
         self.assertRegex(saved, r"off_resistance: 450 ohm")
 
     def test_a_motor_with_radial_motion_says_that_the_page_leaves_it_out(self):

@@ -162,10 +162,11 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
 }
 
 double DrivenWaves::phase_lag(const DrivenWave& w) const {
-  if (!modes_.has_series()) return std::atan2(w.balance.imaginary, w.balance.real);
+  const double own = std::atan2(w.balance.imaginary, w.balance.real);
+  if (!modes_.has_series()) return own;
   const Phasor<double> force =
       series_action(modes_, omega_).blocked * Phasor<double>{w.balance.real, w.balance.imaginary};
-  return std::atan2(force.imaginary, force.real);
+  return next_to(std::atan2(force.imaginary, force.real), own);
 }
 
 double DrivenWaves::dynamic_stiffness() const {

@@ -237,7 +237,8 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   const WaveBalance<S> w = wave_balance(modes, p);
   if (metric == M::phase_lag_at) {  // (D2.4)
     const WaveBalance<S> inverter = inverter_balance(modes, p);
-    return argument(inverter.real, inverter.imaginary);
+    return next_to(argument(inverter.real, inverter.imaginary),
+                   std::atan2(value_of(w.imaginary), value_of(w.real)));
   }
   if (metric == M::loaded_resonance)  // (D3.1)
     return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /

@@ -245,6 +245,14 @@ WaveBalance<S> inverter_balance(const StatorModes<S>& m, const WaveBalance<S>& o
   return {force.real, force.imaginary};
 }
 
+/// A lag behind the inverter's voltage, moved by whole turns next to that behind the terminals', which lies within half a turn: so it
+/// changes continuously where the circuit turns it beyond half a turn.
+template <typename S>
+S next_to(const S& lag, double own) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return lag + kTurn * std::round((own - value_of(lag)) / kTurn);
+}
+
 /// Quantities at the inverter. Powers are those of both phases together, voltage and current those of one.
 template <typename S>
 struct Terminals {

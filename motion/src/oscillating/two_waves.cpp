@@ -98,8 +98,10 @@ void TwoWaves::kick(const ActingNow& acting) {
     const double before = state_.velocity[i];
     state_.velocity[i] += half * (drive + force_[i]) / model_->mass;
     const double way = half * (before + state_.velocity[i]) / 2;
-    work_.drive += fed ? half * acting.voltage[i] * current(acting, i)
-                       : way * drive + half * conductance_ * state_.voltage[i] * state_.voltage[i];
+    if (fed && model_->series_inductance != 0)
+      work_.drive += half * acting.voltage[i] * state_.current[i];
+    if (!fed)
+      work_.drive += way * drive + half * conductance_ * state_.voltage[i] * state_.voltage[i];
     work_.contact -= way * force_[i];
   }
   work_.impulse += half * torque_;
@@ -114,12 +116,6 @@ void TwoWaves::kick(const ActingNow& acting) {
   const double per_force = half / rotor_mass_;
   state_.rise = (state_.rise + per_force * area_ * (pressure_ - law_.pressure)) /
                 (1 + per_force * axial_damping_);
-}
-
-// Of a phase that is fed through a series branch.
-double TwoWaves::current(const ActingNow& acting, std::size_t phase) const {
-  if (model_->series_inductance != 0) return state_.current[phase];
-  return (acting.voltage[phase] - state_.voltage[phase]) / model_->series_resistance;
 }
 
 // C_0 u' = -u / R - Theta w' with w' constant over the step: exact, and u = -R Theta w' without a capacitance.
@@ -144,7 +140,16 @@ void TwoWaves::feed(const Two& voltage, const Two& way) {
              circuit_.source[row][0] * in[0] + circuit_.source[row][1] * in[1];
     };
     state_.current[i] = next(0), state_.voltage[i] = next(1);
+    if (model_->series_inductance == 0) work_.drive += work_through_resistance(i, u, way[i]);
   }
+}
+
+// By the charge of the step, I = C_0 u' + G u + Theta w': (V - u) / R_s at its ends would see the steps of V.
+double TwoWaves::work_through_resistance(std::size_t phase, double before, double way) const {
+  const double after = state_.voltage[phase], mean = 0.5 * (before + after);
+  const double charge = model_->capacitance * (after - before) + model_->force_factor * way +
+                        duration_ * conductance_ * mean;
+  return charge * (mean + model_->series_resistance * charge / duration_);
 }
 
 void TwoWaves::drift(const ActingNow& before, const ActingNow& acting) {

@@ -74,7 +74,7 @@ class TwoWaves {
     double left[2][2], source[2][2];
   };
   Circuit circuit_of() const;
-  double current(const ActingNow& acting, std::size_t phase) const;
+  double work_through_resistance(std::size_t phase, double before, double way) const;
   void kick(const ActingNow& acting);
   void drift(const ActingNow& before, const ActingNow& acting);
   void lie_on_resistance(const Two& way);

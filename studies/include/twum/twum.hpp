@@ -15,6 +15,7 @@
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/engineering.hpp>
 #include <twum/io/units.hpp>
+#include <twum/motion.hpp>
 #include <twum/motors/expression.hpp>
 #include <twum/motors/model_notes.hpp>
 #include <twum/motors/motor_file.hpp>

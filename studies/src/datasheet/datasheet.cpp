@@ -20,10 +20,16 @@ namespace {
 
 using namespace datasheet;
 
-constexpr const char* kLeftOut =
-    "Not in the model: heat and what it does to the resonance and the friction, wear and running "
-    "in, a rotor that bends, and "
-    "the driver's electronics.";
+// Of heat, wear and driver what the motor file does not give.
+std::string left_out(const MotorDesign& design) {
+  std::string text = "Not in the model: ";
+  if (!design.thermal) text += "heat and what it does to the resonance and the friction, ";
+  text += design.wear ? "running in, " : "wear and running in, ";
+  const Driver driver = design.driver.value_or(Driver{});
+  const bool circuit = driver.inductance != 0 || driver.resistance != 0;
+  return text + (circuit ? "and a rotor that bends."
+                         : "a rotor that bends, and the driver's electronics.");
+}
 
 struct RatedPoint {
   std::string criterion;
@@ -70,7 +76,7 @@ std::string notes(const MotorDesign& design) {
     if (!note.text.empty() && note.text[0] >= 'a' && note.text[0] <= 'z') note.text[0] -= 'a' - 'A';
     text += "<li>" + escaped(note.text) + ".</li>\n";
   }
-  return std::string("<p>") + kLeftOut + "</p>\n" +
+  return "<p>" + left_out(design) + "</p>\n" +
          (text.empty() ? "" : "<ul>\n" + text + "</ul>\n");
 }
 

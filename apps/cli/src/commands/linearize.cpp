@@ -75,7 +75,8 @@ std::string as_table(const studies::MotorFile& file, const LinearPlant& plant) {
         state.rows.push_back({one.name, studies::engineering(one.steady, one.unit)});
   TextTable poles{{{"pole", "time constant"}}};
   for (const auto& pole : plant.poles)
-    poles.rows.push_back({pole_text(pole), studies::engineering(-1 / pole.real(), "s")});
+    poles.rows.push_back(
+        {pole_text(pole), pole.real() < 0 ? studies::engineering(-1 / pole.real(), "s") : "grows"});
   TextTable gains{{{"gain"}}};
   for (const Signal& input : plant.inputs)
     gains.rows[0].push_back("per " + input.name + " [" + input.unit + "]");

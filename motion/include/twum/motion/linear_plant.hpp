@@ -30,7 +30,8 @@ struct LinearPlant {
   Matrix b;  ///< B, states by inputs
   Matrix c;  ///< C, outputs by states
   Matrix d;  ///< D, outputs by inputs
-  /// Eigenvalues of A without the angle, which integrates the speed; the slowest first [1/s].
+  /// Eigenvalues of A without the angle, which integrates the speed; the slowest first [1/s]. Those of a driver's circuit that rings
+  /// as fast as the stator vibrates, of which an averaged motor knows nothing, come last.
   std::vector<std::complex<double>> poles;
   /// Steady change of each output but the angle over that of each input: -C A^-1 B + D.
   Matrix gains;
