@@ -31,7 +31,7 @@ class Equations final : public OdeSystem {
  public:
   /// @param slopes  of the model, for parameter_slopes()
   explicit Equations(const MotionModel& model, const ModelSlopes* slopes = nullptr,
-                     AxialStates axial = AxialStates::none)
+                     AxialMotion axial = AxialMotion::balanced)
       : model_(&model), slopes_(slopes), contact_(model), places_(model, axial) {}
 
   void set_stretch(const Stretch& stretch) { stretch_ = stretch; }

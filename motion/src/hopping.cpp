@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopping.hpp"
 
+#include "normal_force.hpp"
+#include "poles.hpp"
 #include "slow_flow.hpp"
-
-#include <twum/core/contact_gradients.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +22,13 @@ struct HoppingSlopes {
 };
 HoppingSlopes with_normal_force(const ContactGradients::Number& n,
                                 const ContactGradients& contact) {
-  const double per_force = n.gradient[index_of(Parameter::preload)];
-  return {{n.value, n.per_amplitude + per_force * contact.normal_per_amplitude, n.per_speed},
-          per_force * contact.normal_per_height};
+  const NormalForceSlopes by_force = by_normal_force(n, contact);
+  return {{n.value, n.per_amplitude + by_force.per_amplitude, n.per_speed}, by_force.per_height};
 }
 
-// Amplitude, phase, speed, height z of the rotor over its steady one, and z', in units of their size (M7.1, M4.5).
-Eigen::Matrix<double, 5, 5> hopping(const MotionModel& m, const MotorDesign& design, double speed,
-                                    const ContactGradients& contact) {
+// Poles of amplitude, phase, speed, height z of the rotor over its steady one, and z' (M7.1, M4.5).
+std::vector<Complex> hopping_poles(const MotionModel& m, const MotorDesign& design, double speed,
+                                   const ContactGradients& contact) {
   const HoppingSlopes re = with_normal_force(contact.reactive_force, contact),
                       im = with_normal_force(contact.active_force, contact),
                       torque = with_normal_force(contact.torque, contact);
@@ -49,7 +46,7 @@ Eigen::Matrix<double, 5, 5> hopping(const MotionModel& m, const MotorDesign& des
   a(kRise, kRise) = -design.rotor.axial_damping / mass;
   const double rate = std::sqrt(-contact.normal_per_height / mass);
   const Eigen::Vector<double, 5> unit{A, 1, std::max(std::abs(speed), kLeastSpeed), A, A * rate};
-  return unit.cwiseInverse().asDiagonal() * a * unit.asDiagonal();
+  return poles_of(a, unit);
 }
 
 }  // namespace
@@ -58,10 +55,7 @@ double hopping_rate(const MotionModel& model, const MotorDesign& design, double 
   const ContactGradients contact = ContactDifferentiator(design).at(design.stator.amplitude, speed);
   if (contact.status != PointStatus::ok) return std::numeric_limits<double>::quiet_NaN();
   const Complex alone = kI * std::sqrt(-contact.normal_per_height / *design.rotor.mass);
-  const Eigen::Vector<Complex, 5> poles =
-      Eigen::EigenSolver<Eigen::Matrix<double, 5, 5>>(hopping(model, design, speed, contact), false)
-          .eigenvalues();
-  return nearest_pole(poles, alone).real();
+  return nearest_pole(hopping_poles(model, design, speed, contact), alone).real();
 }
 
 }  // namespace twum::motion

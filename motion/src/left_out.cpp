@@ -3,12 +3,11 @@
 
 #include "hopping.hpp"
 #include "model.hpp"
+#include "poles.hpp"
 #include "slow_flow.hpp"
 
 #include <twum/core/contact_slopes.hpp>
 #include <twum/core/motor.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -92,10 +91,8 @@ double slowness(const MotionModel& model, const MotionSample& sample, double spe
                                   slopes(contact.active_force), slopes(contact.torque));
   const Eigen::Vector3d unit{sample.amplitude, 1,
                              model.crest_per_amplitude * omega * sample.amplitude};
-  const Eigen::Matrix3d scaled =
-      unit.cwiseInverse().asDiagonal() * flow.jacobian * unit.asDiagonal();
-  const Eigen::Vector3cd roots = Eigen::EigenSolver<Eigen::Matrix3d>(scaled, false).eigenvalues();
-  return roots.cwiseAbs().minCoeff() / (omega + model.motor.design().stator.wavelengths * speed);
+  const double slowest = std::abs(nearest_pole(poles_of(flow.jacobian, unit), 0));
+  return slowest / (omega + model.motor.design().stator.wavelengths * speed);
 }
 
 // Where the motion is first too fast.

@@ -61,7 +61,7 @@ class ManoeuvreRuns {
   enum class Until : unsigned char { reached, settled };
 
   /// Of states, which is also the distance of the slopes of two parameters.
-  std::size_t count() const { return StatePlaces(model_, AxialStates::none).count; }
+  std::size_t count() const { return StatePlaces(model_, AxialMotion::balanced).count; }
 
   Steady steady(double torque) const;
   Start started(double torque, Until until) const;

@@ -63,6 +63,14 @@ Motion simulate(const MotorDesign& design, const MotionTask& task) {
   return followed(*engine_of(design, task), task, stretches);
 }
 
+const char* to_string(AxialMotion value) noexcept {
+  switch (value) {
+    case AxialMotion::balanced: return "static";
+    case AxialMotion::dynamic: return "dynamic";
+  }
+  return "unknown";
+}
+
 const char* to_string(MotionEngine value) noexcept {
   switch (value) {
     case MotionEngine::averaged: return "averaged";

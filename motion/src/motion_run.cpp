@@ -42,8 +42,7 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
       task_(task),
       asked_(std::move(watch)),
       model_(design),
-      equations_(model_, asked_.slopes,
-                 task.axial == AxialMotion::dynamic ? AxialStates::height : AxialStates::none),
+      equations_(model_, asked_.slopes, task.axial),
       integrator_(equations_, 2, task.tolerance, absolute_tolerances(),
                   asked_.slopes ? asked_.slopes->columns().size() : 0),
       watch_(equations_) {

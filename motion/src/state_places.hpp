@@ -3,6 +3,8 @@
 
 #include "model.hpp"
 
+#include <twum/motion/motion.hpp>
+
 #include <array>
 #include <cstddef>
 
@@ -13,27 +15,26 @@ namespace twum::motion {
 /// thousands of times a second. Of a motor with a given amplitude zeta stays zero.
 enum StateIndex : std::size_t { kReal, kImaginary, kSpeed, kAngle, kEnergy, kTurn, kBaseStates };
 
-/// Balanced at each instant, or by its mass (M4.5).
-enum class AxialStates : bool { none, height };
-
-/// Where the other states of a motion stand, and how many there are together. A motion has only those that it needs: the integrator
+/// Where the states of circuit and rotor stand after those of any motion, or of any plant, and how many there are together. A motion has only those that it needs: the integrator
 /// measures its error over all of them.
 class StatePlaces {
  public:
   static constexpr std::size_t kNone = 0;  // the place of zeta
 
-  StatePlaces(const MotionModel& model, AxialStates axial) {
+  /// @param base  states before these
+  StatePlaces(const MotionModel& model, AxialMotion axial, std::size_t base = kBaseStates)
+      : count(base) {
     const bool series = model.driven && model.has_series();
     if (series) voltage = add();
     if (series && model.series_inductance != 0) current = add();
-    if (axial == AxialStates::height) height = add(), rise = height + 1;
+    if (axial == AxialMotion::dynamic) height = add(), rise = height + 1;
   }
 
   std::size_t voltage{kNone};  ///< u at the terminals, in two parts (M3.1) [V]
   std::size_t current{kNone};  ///< I of a phase, in two parts (M3.1) [A]
   std::size_t height{kNone};   ///< of the rotor's face, z [m]
   std::size_t rise{kNone};     ///< z' [m/s]
-  std::size_t count{kBaseStates};
+  std::size_t count;
 
  private:
   std::size_t add() {

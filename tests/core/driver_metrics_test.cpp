@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/constants.hpp"
 #include "support/driven_motors.hpp"
+#include "support/known_value.hpp"
 #include "support/plate_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,15 +18,8 @@ using namespace twum;
 using namespace twum::test;
 using Catch::Matchers::WithinRel;
 
-double value(const MotorDesign& design, const MetricRequest& request) {
-  const MetricValue found = evaluate(Motor(design), request);
-  CAPTURE(info(request.metric).name, to_string(found.status));
-  REQUIRE(found.status == MetricStatus::ok);
-  return found.value;
-}
-
 double at_speed(const MotorDesign& design, Metric metric, double speed) {
-  return value(design, {metric, Argument::speed, speed});
+  return known_value(design, {metric, Argument::speed, speed});
 }
 
 MotorDesign without_rotor(MotorDesign design) {
@@ -49,7 +43,7 @@ TEST_CASE("the free amplitude is that of a driven oscillator, whatever the rotor
   for (const double frequency : {38.2e3, 39.1e3, 40.8e3, 44e3}) {
     const MotorDesign design = driven_motor(120, frequency);
     const double omega = 2 * kPi * frequency;
-    const double found = value(design, {Metric::free_amplitude});
+    const double found = known_value(design, {Metric::free_amplitude});
     // k - omega^2 m cancels at most to a hundredth of k here: 1e2 roundings.
     CHECK_THAT(found, WithinRel(std::sqrt(2.0) * 120 * std::abs(response(design, omega)), 1e-12));
     // The wave that the solver of the balance finds where nothing touches the stator, to its tolerance.
@@ -59,7 +53,7 @@ TEST_CASE("the free amplitude is that of a driven oscillator, whatever the rotor
     for (const double preload : {1.0, 170.0, 1e4}) {
       MotorDesign other = design;
       other.preload = preload;
-      CHECK(value(other, {Metric::free_amplitude}) == found);
+      CHECK(known_value(other, {Metric::free_amplitude}) == found);
     }
   }
 }
@@ -69,8 +63,8 @@ TEST_CASE("of unequal phases the share of the forward wave drives the free stato
   const MotorDesign design = unequal_motor();
   const Imbalance& unequal = *design.stator.imbalance;
   const double share = std::abs(1.0 + std::polar(unequal.voltage_ratio, unequal.phase_error)) / 2;
-  CHECK_THAT(value(design, {Metric::free_amplitude}),
-             WithinRel(share * value(driven_motor(), {Metric::free_amplitude}), 1e-13));
+  CHECK_THAT(known_value(design, {Metric::free_amplitude}),
+             WithinRel(share * known_value(driven_motor(), {Metric::free_amplitude}), 1e-13));
 }
 
 TEST_CASE("apparent power and matching inductance follow from a phase's current (D4.6, D4.7)",
@@ -149,5 +143,5 @@ TEST_CASE("the mass of a stator is that of its bodies (P4.9)", "[core][stator]")
       ring(g.teeth->inner_radius, g.teeth->outer_radius, g.teeth->height, metal) - slots * metal +
       ring(g.ceramic.inner_radius, g.ceramic.outer_radius, g.ceramic.thickness, g.ceramic.density) +
       ring(g.ceramic.inner_radius, g.ceramic.outer_radius, g.glue.thickness, g.glue.density);
-  CHECK_THAT(value(design, {Metric::stator_mass}), WithinRel(bodies, 1e-13));
+  CHECK_THAT(known_value(design, {Metric::stator_mass}), WithinRel(bodies, 1e-13));
 }

@@ -4,6 +4,7 @@
 #include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/driven_motors.hpp"
+#include "support/known_value.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -25,15 +26,8 @@ using namespace twum::test;
 
 constexpr double kRpm = 2 * kPi / 60;
 
-double value(const MotorDesign& design, const MetricRequest& request) {
-  const MetricValue found = evaluate(Motor(design), request);
-  CAPTURE(info(request.metric).name, to_string(found.status));
-  REQUIRE(found.status == MetricStatus::ok);
-  return found.value;
-}
-
 double at_torque(const MotorDesign& design, Metric metric, double torque) {
-  return value(design, {metric, Argument::torque, torque});
+  return known_value(design, {metric, Argument::torque, torque});
 }
 
 // Mustafa, Sasamura and Morita, IEEE Access 2022, 10.1109/ACCESS.2022.3170995, their second set of parameters: the circuit
@@ -102,8 +96,8 @@ TEST_CASE("the model of Mustafa, Sasamura and Morita (2022), code against code",
     }
     CHECK(amplitude.add(at_torque(motor, Metric::amplitude_at, 0), row.amplitude, row.amplitude) <
           0.005);
-    CHECK(stall.add(value(motor, {Metric::stall_torque}), row.stall, row.stall) < 0.01);
-    CHECK(efficiency.add(value(motor, {Metric::max_efficiency}), row.efficiency, 1) < 0.001);
+    CHECK(stall.add(known_value(motor, {Metric::stall_torque}), row.stall, row.stall) < 0.01);
+    CHECK(efficiency.add(known_value(motor, {Metric::max_efficiency}), row.efficiency, 1) < 0.001);
   }
 }
 
@@ -115,7 +109,7 @@ TEST_CASE("the running branch has no gaps where the layer is all but rigid in sh
     for (const double frequency : {41e3, 41.5e3, 42.5e3}) {
       MotorDesign motor = model_of_mustafa(frequency);
       motor.layer.given_shear_modulus = modulus;
-      const double no_load = value(motor, {Metric::no_load_speed});
+      const double no_load = known_value(motor, {Metric::no_load_speed});
       const Motor computed(motor);
       CAPTURE(modulus, frequency);
       for (int i = 0; i <= 200; ++i) {
@@ -162,10 +156,10 @@ TEST_CASE("speed at 0.9 N.m of a motor with two numbers fitted (Lu et al. 2013)"
     motor.preload = fit.preload;
     motor.friction = {fit.friction, fit.friction};
     CAPTURE(fit.lined, fit.preload, fit.frequency);
-    const double no_load = value(motor, {Metric::no_load_speed});
+    const double no_load = known_value(motor, {Metric::no_load_speed});
     // Five or six digits of voltage and friction, and a slope of the speed of up to four times its share.
     CHECK(std::fabs(no_load / (120 * kRpm) - 1) < 1e-4);
-    CHECK(std::fabs(value(motor, {Metric::stall_torque}) / 1.6 - 1) < 1e-4);
+    CHECK(std::fabs(known_value(motor, {Metric::stall_torque}) / 1.6 - 1) < 1e-4);
     const double share = at_torque(motor, Metric::speed_at, 0.9) / no_load;
     double &least = fit.lined ? lined_least : rigid_least,
            &most = fit.lined ? lined_most : rigid_most;
@@ -191,7 +185,7 @@ TEST_CASE("efficiency over torque of a 60 mm motor at 240 N (10.1108/ILT-09-2025
     motor.stator.voltage = 150;
     motor.preload = 240;
     motor.friction = {friction, friction};
-    const double most = value(motor, {Metric::max_overall_efficiency});
+    const double most = known_value(motor, {Metric::max_overall_efficiency});
     double least = most;
     for (double torque = 0.5; torque < 1.25; torque += 0.1)
       least = std::min(least, at_torque(motor, Metric::overall_efficiency_at, torque));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/constants.hpp"
 #include "support/driven_motors.hpp"
+#include "support/known_value.hpp"
 #include "support/metric_requests.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,17 +41,11 @@ MotorDesign behind_series(double inductance, double resistance, double voltage =
 }
 
 double metric_behind(const Motor& motor, Metric metric, double speed) {
-  const MetricValue found = evaluate(motor, {metric, Argument::speed, speed});
-  CAPTURE(info(metric).name, to_string(found.status));
-  REQUIRE(found.status == MetricStatus::ok);
-  return found.value;
+  return known_value(motor, {metric, Argument::speed, speed});
 }
 
 double number_behind(const MotorDesign& design, Metric metric) {
-  const MetricValue found = evaluate(Motor(design), {metric});
-  CAPTURE(info(metric).name, to_string(found.status));
-  REQUIRE(found.status == MetricStatus::ok);
-  return found.value;
+  return known_value(design, {metric});
 }
 
 double rate_of_drive(const MotorDesign& design) { return 2 * kPi * drive_frequency(design); }

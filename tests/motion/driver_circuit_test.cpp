@@ -220,17 +220,6 @@ TEST_CASE("metrics of manoeuvres behind a coil have the slopes of differences (M
   }
 }
 
-std::size_t row_of_output(const LinearPlant& plant, const std::string& output) {
-  std::size_t row = 0;
-  for (const Signal& one : plant.outputs) {
-    if (one.name == "angle") continue;
-    if (one.name == output) return row;
-    ++row;
-  }
-  FAIL("no output " << output);
-  return 0;
-}
-
 TEST_CASE("gains behind a coil are differences of steady states (M7.1, M3.1)",
           "[motion][linear][identity]") {
   for (const auto& [inductance, resistance] : {std::pair{1.3e-3, 5.0}, {0.0, 100.0}}) {
@@ -254,7 +243,7 @@ TEST_CASE("gains behind a coil are differences of steady states (M7.1, M3.1)",
       };
       const OperatingPoint low = at(-1), high = at(1);
       const auto gain = [&](const char* output) {
-        return plant.gains[row_of_output(plant, output)][input];
+        return plant.gains[row_of_gains(plant, output)][input];
       };
       // Steps of 1e-5 leave their square, near both resonances a hundredfold, and 1e-11 of the values over the step.
       CHECK(gain("speed") == Approx((high.speed - low.speed) / (2 * h)).epsilon(1e-4));
@@ -271,7 +260,7 @@ TEST_CASE("gains behind a coil are differences of steady states (M7.1, M3.1)",
     const Motion m = simulate(d, task);
     REQUIRE(m.status == "ok");
     CHECK(m.last.speed - plant.states[2].steady ==
-          Approx(10 * plant.gains[row_of_output(plant, "speed")][1]).epsilon(0.03));
+          Approx(10 * plant.gains[row_of_gains(plant, "speed")][1]).epsilon(0.03));
   }
 }
 

@@ -17,17 +17,6 @@ using namespace twum;
 using namespace twum::motion;
 using namespace twum::test;
 
-std::size_t row_of(const LinearPlant& plant, const std::string& output) {
-  std::size_t row = 0;
-  for (const Signal& one : plant.outputs) {
-    if (one.name == "angle") continue;
-    if (one.name == output) return row;
-    ++row;
-  }
-  FAIL("no output " << output);
-  return 0;
-}
-
 TEST_CASE("steady state, poles and gains are those of another program (M7.1, M7.2)",
           "[motion][linear][reference]") {
   for (const CsvRow& row : csv_rows("motion/linear.csv")) {
@@ -48,7 +37,7 @@ TEST_CASE("steady state, poles and gains are those of another program (M7.1, M7.
     const std::array<std::pair<const char*, const char*>, 3> outputs{
         {{"speed", "dOmega"}, {"amplitude", "dA"}, {"phase_lag", "dphi"}}};
     for (const auto& [output, column] : outputs) {
-      const std::vector<double>& gains = plant.gains[row_of(plant, output)];
+      const std::vector<double>& gains = plant.gains[row_of_gains(plant, output)];
       CHECK(gains[0] == Approx(row[std::string(column) + "_dV"]).epsilon(2e-4));
       // The phase hardly follows the frequency in case 30: two terms a thousand times as large cancel there.
       CHECK(gains[1] == Approx(row[std::string(column) + "_df"])
@@ -85,7 +74,9 @@ TEST_CASE("gains are differences of steady states", "[motion][linear][identity]"
                            frequency + (input == 1) * sign * h, torque + (input == 2) * sign * h);
     };
     const MotionSample low = at(-1), high = at(1);
-    const auto gain = [&](const char* output) { return plant.gains[row_of(plant, output)][input]; };
+    const auto gain = [&](const char* output) {
+      return plant.gains[row_of_gains(plant, output)][input];
+    };
     // Steps of 1e-5 of the inputs: their squares, and rounding of the states over the step, leave some 1e-6.
     CHECK(gain("speed") == Approx((high.speed - low.speed) / (2 * h)).epsilon(1e-5));
     CHECK(gain("amplitude") == Approx((high.amplitude - low.amplitude) / (2 * h)).epsilon(1e-5));
@@ -122,7 +113,7 @@ TEST_CASE("the sensor's rows are those of the metrics of the motor", "[motion][l
     CHECK(std::remainder(signal->steady - here[i], 2 * std::numbers::pi) ==
           Approx(0).margin(1e-8 * std::abs(here[i])));
     // A step of 1e-4 of the voltage leaves 1e-7, the curve of the motor 1e-9 over it 1e-5.
-    CHECK(plant.gains[row_of(plant, names[i])][0] ==
+    CHECK(plant.gains[row_of_gains(plant, names[i])][0] ==
           Approx((high[i] - low[i]) / (2 * h)).epsilon(3e-5));
   }
 }

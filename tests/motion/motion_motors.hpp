@@ -44,6 +44,14 @@ inline MotorDesign motor_of_row(const CsvRow& row, const char* frequency, const 
   return d;
 }
 
+/// Place of an output among the rows of a plant's gains, which have none of the angle.
+inline std::size_t row_of_gains(const motion::LinearPlant& plant, const std::string& output) {
+  const auto names = [](const motion::Signal& one) { return one.name; };
+  const auto place = std::ranges::find(plant.outputs, output, names) - plant.outputs.begin();
+  const auto angle = std::ranges::find(plant.outputs, "angle", names) - plant.outputs.begin();
+  return static_cast<std::size_t>(place - (place > angle ? 1 : 0));
+}
+
 /// A number, or "time:value,time:value,...".
 inline motion::Profile profile_of(const std::string& text) {
   if (text.find(':') == std::string::npos) return std::stod(text);

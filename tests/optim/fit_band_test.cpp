@@ -27,8 +27,8 @@ TEST_CASE("the band of a linear fit is that of its covariance (L3.3, L2.4)",
     };
     const double rise = 0.16, half = std::sqrt(rise * (1 / 3.0 + x * x / 2));
     const double at_fit[] = {2, 1};
-    const auto low = band_end(parameters, residuals, line, at_fit, rise, BandEnd::low);
-    const auto high = band_end(parameters, residuals, line, at_fit, rise, BandEnd::high);
+    const auto low = band_end(parameters, residuals, line, at_fit, rise, IntervalEnd::low);
+    const auto high = band_end(parameters, residuals, line, at_fit, rise, IntervalEnd::high);
     REQUIRE(low.has_value());
     REQUIRE(high.has_value());
     CHECK(line(*low).value == Approx(2 + x - half).margin(kAccurate * half));
@@ -47,14 +47,14 @@ TEST_CASE("the band of a curved fit ends where its squares do (L3.3)",
     return Prediction{std::pow(b[0], 3), {3 * b[0] * b[0]}};
   };
   const double at_fit[] = {2};
-  const auto low = band_end(parameters, residuals, cube, at_fit, 9, BandEnd::low);
-  const auto high = band_end(parameters, residuals, cube, at_fit, 9, BandEnd::high);
+  const auto low = band_end(parameters, residuals, cube, at_fit, 9, IntervalEnd::low);
+  const auto high = band_end(parameters, residuals, cube, at_fit, 9, IntervalEnd::high);
   REQUIRE(low.has_value());
   REQUIRE(high.has_value());
   CHECK((*low)[0] == Approx(1).epsilon(kAccurate));
   CHECK((*high)[0] == Approx(std::sqrt(7)).epsilon(kAccurate));
   // A range that ends earlier ends the band.
-  const auto held = band_end({{"b", 1.5, 10}}, residuals, cube, at_fit, 9, BandEnd::low);
+  const auto held = band_end({{"b", 1.5, 10}}, residuals, cube, at_fit, 9, IntervalEnd::low);
   REQUIRE(held.has_value());
   CHECK((*held)[0] == Approx(1.5));
 }
@@ -68,7 +68,7 @@ TEST_CASE("the band follows a valley that is bent", "[optim][fit][closed-form]")
   };
   const auto second = [](std::span<const double> b) { return Prediction{b[1], {0, 1}}; };
   const double at_fit[] = {0.0, 0.0}, near[] = {0.3, 0.09};
-  const auto high = band_end(parameters, residuals, second, at_fit, 1, BandEnd::high, near);
+  const auto high = band_end(parameters, residuals, second, at_fit, 1, IntervalEnd::high, near);
   REQUIRE(high.has_value());
   // sin(t) = 0.05: c = 1 - sin^2 + 0.1 sin = 1.0025. The linearised band ends at 0.1.
   CHECK((*high)[1] == Approx(1.0025).epsilon(kAccurate));

@@ -9,10 +9,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace twum::cli {
 namespace {
+
+constexpr std::array kBranches{Branch::running, Branch::dead};
 
 double parse_option(const std::string& option, std::string_view text,
                     const studies::Expected& expected) {
@@ -46,8 +49,8 @@ void add_branch_option(CLI::App& command, MotorOptions& options) {
           "--branch", options.branch,
           "Which stable wave of a motor under a voltage: the large one of a running motor, or "
           "the small one that does not turn the rotor")
-      ->check(one_of({to_string(Branch::running), to_string(Branch::dead)}))
-      ->type_name("running|dead");
+      ->check(one_of(words_of(kBranches)))
+      ->type_name(choices(words_of(kBranches)));
 }
 
 studies::MotorFile load_motor(const MotorOptions& options) {
@@ -58,7 +61,7 @@ studies::MotorFile load_motor(const MotorOptions& options) {
     throw InputError(
         "--branch: the amplitude of this motor is given; only a voltage leaves a choice "
         "of waves");
-  motor.design.stator.branch = options.branch == "dead" ? Branch::dead : Branch::running;
+  motor.design.stator.branch = value_of(options.branch, kBranches);
   return motor;
 }
 

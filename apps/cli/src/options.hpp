@@ -3,6 +3,8 @@
 
 #include <twum/motors/motor_file.hpp>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,21 @@ studies::MotorFile load_motor(const MotorOptions& options);
 
 /// "up|down|both": words as the type of an option in the help.
 std::string choices(const std::vector<std::string>& words);
+
+/// The words of some values of an enumeration, and the value of one of these words: the first one, if an option was not given.
+/// @{
+template <typename E, std::size_t N>
+std::vector<std::string> words_of(const std::array<E, N>& values) {
+  std::vector<std::string> words;
+  for (const E value : values) words.emplace_back(to_string(value));
+  return words;
+}
+template <typename E, std::size_t N>
+E value_of(const std::string& word, const std::array<E, N>& values) {
+  const auto found = std::ranges::find(values, word, [](E value) { return to_string(value); });
+  return found == values.end() ? values.front() : *found;
+}
+/// @}
 
 /// A check that accepts only some words; its message names the word that was probably meant, or all of them.
 CLI::Validator one_of(const std::vector<std::string>& words);

@@ -43,16 +43,21 @@ std::vector<Interval> to_intervals(const std::string& name, const py::object& va
   return intervals;
 }
 
+// The value whose word is given, of two.
+template <typename E>
+E to_value(const std::string& argument, const std::string& word, E one, E other) {
+  for (const E value : {one, other})
+    if (word == motion::to_string(value)) return value;
+  throw InputError(argument + ": expected '" + motion::to_string(one) + "' or '" +
+                   motion::to_string(other) + "', but is '" + word + "'");
+}
+
 MotionEngine to_engine(const std::string& word) {
-  for (const MotionEngine engine : {MotionEngine::averaged, MotionEngine::oscillating})
-    if (word == motion::to_string(engine)) return engine;
-  throw InputError("engine: expected 'averaged' or 'oscillating', but is '" + word + "'");
+  return to_value("engine", word, MotionEngine::averaged, MotionEngine::oscillating);
 }
 
 AxialMotion to_axial(const std::string& word) {
-  if (word == "static") return AxialMotion::balanced;
-  if (word == "dynamic") return AxialMotion::dynamic;
-  throw InputError("axial: expected 'static' or 'dynamic', but is '" + word + "'");
+  return to_value("axial", word, AxialMotion::balanced, AxialMotion::dynamic);
 }
 
 std::vector<double> equal_times(double duration, std::size_t points) {

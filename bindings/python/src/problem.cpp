@@ -148,7 +148,6 @@ py::list limits_list(const optim::Certificate& certificate) {
   });
 }
 
-// `alone` is the name of amount_alone and limit_alone before 0.2.
 py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.relaxations, [](const optim::Relaxation& one) {
     return py::dict("text"_a = one.name, "limit"_a = one.limit, "amount"_a = one.amount,

@@ -162,11 +162,7 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
 }
 
 double DrivenWaves::phase_lag(const DrivenWave& w) const {
-  const double own = std::atan2(w.balance.imaginary, w.balance.real);
-  if (!modes_.has_series()) return own;
-  const Phasor<double> force =
-      series_action(modes_, omega_).blocked * Phasor<double>{w.balance.real, w.balance.imaginary};
-  return next_to(std::atan2(force.imaginary, force.real), own);
+  return core::phase_lag(modes_, w.balance, omega_);
 }
 
 double DrivenWaves::dynamic_stiffness() const {

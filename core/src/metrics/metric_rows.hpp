@@ -235,11 +235,7 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   using std::sqrt;
   constexpr double kTurn = 2 * std::numbers::pi;
   const WaveBalance<S> w = wave_balance(modes, p);
-  if (metric == M::phase_lag_at) {  // (D2.4)
-    const WaveBalance<S> inverter = inverter_balance(modes, p);
-    return next_to(argument(inverter.real, inverter.imaginary),
-                   std::atan2(value_of(w.imaginary), value_of(w.real)));
-  }
+  if (metric == M::phase_lag_at) return phase_lag(modes, drive_balance(modes, p), p.omega);
   if (metric == M::loaded_resonance)  // (D3.1)
     return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /
            kTurn;

@@ -235,6 +235,13 @@ S divider_lag(const StatorModes<S>& m, const S& omega) {
   return argument(blocked.real, blocked.imaginary);
 }
 
+/// phi, lag of the wave behind the inverter's voltage (D2.4) [rad]: the sum of both angles, each of which stays within half a turn.
+/// @param drive  drive_balance()
+template <typename S>
+S phase_lag(const StatorModes<S>& m, const WaveBalance<S>& drive, const S& omega) {
+  return argument(drive.real, drive.imaginary) + divider_lag(m, omega);
+}
+
 /// The same in the frame of the inverter's voltage: phi is its angle (D2.4).
 template <typename S>
 WaveBalance<S> inverter_balance(const StatorModes<S>& m, const WaveBalance<S>& own,
@@ -243,14 +250,6 @@ WaveBalance<S> inverter_balance(const StatorModes<S>& m, const WaveBalance<S>& o
   const SeriesAction<S> a = series_action(m, omega);
   const Phasor<S> force = a.blocked * Phasor<S>{own.real, own.imaginary} + amplitude * a.feedback;
   return {force.real, force.imaginary};
-}
-
-/// A lag behind the inverter's voltage, moved by whole turns next to that behind the terminals', which lies within half a turn: so it
-/// changes continuously where the circuit turns it beyond half a turn.
-template <typename S>
-S next_to(const S& lag, double own) {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  return lag + kTurn * std::round((own - value_of(lag)) / kTurn);
 }
 
 /// Quantities at the inverter. Powers are those of both phases together, voltage and current those of one.

@@ -35,8 +35,8 @@ void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
       backward = forced_backward_wave(*contact, modes, inverter, m.mean.amplitude);
   }
   const Terminals<double> t = terminals(modes, wave, m.mean.amplitude, m.omega, backward);
-  point.phase_lag = next_to(std::atan2(inverter.imaginary, inverter.real),
-                            std::atan2(wave.imaginary, wave.real));  // (D2.4)
+  point.phase_lag =
+      phase_lag(modes, drive_balance(modes, wave, m.mean.amplitude, m.omega), m.omega);
   point.voltage = t.voltage;
   point.phase_current = t.current;
   point.dielectric_loss = t.dielectric_loss;

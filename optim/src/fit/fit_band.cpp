@@ -76,10 +76,10 @@ std::optional<std::vector<double>> band_end(const std::vector<Variable>& paramet
                                             const ResidualFunction& residuals,
                                             const PredictionFunction& prediction,
                                             std::span<const double> estimates, double rise,
-                                            BandEnd end, std::span<const double> near) {
+                                            IntervalEnd end, std::span<const double> near) {
   const Residuals fit = residuals(estimates);
   if (!fit.failure.empty()) return {};
-  const double sign = end == BandEnd::low ? -1 : 1;
+  const double sign = end == IntervalEnd::low ? -1 : 1;
   Problem problem{parameters};
   problem.objectives = {{"prediction", sign < 0 ? Sense::minimize : Sense::maximize}};
   problem.constraints = {{"rise of the squares", -kInfinity, 1.0, kAccurate}};

@@ -212,6 +212,10 @@ class MotionCheck {
           "give drive.amplitude, or stator.voltage in the motor file");
     if (driven && study_.drive.amplitude)
       say("drive.amplitude", "an amplitude for a motor under a voltage", "give drive.voltage");
+    for (const motion::Interval& off : study_.drive.switched_off)
+      if (off.begin >= study_.duration)
+        say("drive.switched_off", "an interval that begins after the end of the motion",
+            "let 'duration' be longer, or leave the interval out");
     if (!driven && !study_.drive.switched_off.empty())
       say("drive.switched_off", "a motor with a given amplitude has no drive to switch off",
           "give drive.amplitude over time, or stator.voltage in the motor file");

@@ -253,7 +253,7 @@ Shape<MotionStudy> MotionStudy::shape() {
                           word<motion::AxialMotion>(
                               "the rotor's axial position with the averaged engine: balanced "
                               "at every instant, or moved by its mass",
-                              {"static", "dynamic"}),
+                              {motion::AxialMotion::balanced, motion::AxialMotion::dynamic}),
                           &M::axial)),
        standard<M>("initial", initial_shape(), &M::initial),
        hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),

@@ -116,18 +116,20 @@ std::vector<Phrase> limit_row(const Json& standing, const std::vector<Goal>& goa
   return row;
 }
 
-Part loosened_part(const RelaxationState& state, double amount) {
-  if (!std::isfinite(amount)) return "does not help alone";
-  if (amount == 0) return "as it is";
-  return value_part(state.limit + (state.at_least ? -amount : amount), state.unit);
+// Of two sides nothing is a number to go to: it is told by how much.
+Phrase loosened_phrase(const RelaxationState& state, double amount) {
+  if (!std::isfinite(amount)) return {"does not help alone"};
+  if (amount == 0) return {"as it is"};
+  if (state.of_two_sides) return {"by ", value_part(amount, state.unit)};
+  return {value_part(state.limit + (state.at_least ? -amount : amount), state.unit)};
 }
 
 Table loosened_table(const std::vector<RelaxationState>& limits) {
   Table table{"relaxation", {{"limit to loosen"}, {"with the others to"}, {"alone to"}}, {}};
   for (const RelaxationState& state : limits)
     table.rows.push_back({{limit_part(state.text)},
-                          {loosened_part(state, state.amount)},
-                          {loosened_part(state, state.amount_alone)}});
+                          loosened_phrase(state, state.amount),
+                          loosened_phrase(state, state.amount_alone)});
   return table;
 }
 

@@ -31,13 +31,19 @@ std::optional<double> time_of(const MovedMotor& motor, MotionEventKind kind, dou
   return {};
 }
 
-// When the rotor first has a speed, of either sign; linear between samples.
-std::optional<double> time_to(const MovedMotor& motor, double speed) {
+// When the rotor first has a speed, of either sign: "after" a time, linear between samples, or "within" one where the samples before and
+// after that are too far apart to tell.
+std::optional<Phrase> time_to(const MovedMotor& motor, double speed) {
+  constexpr double kFine =
+      0.2;  // share of the time between two samples, of which a line leaves a part
   const auto& samples = motor.motion.samples;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double before = std::abs(samples[i - 1].speed), here = std::abs(samples[i].speed);
-    if (before < speed && here >= speed)
-      return std::lerp(samples[i - 1].time, samples[i].time, (speed - before) / (here - before));
+    if (!(before < speed && here >= speed)) continue;
+    const double begin = samples[i - 1].time, end = samples[i].time;
+    if (end - begin > kFine * end) return Phrase{"within ", strong(time_part(end))};
+    return Phrase{"after ",
+                  strong(time_part(std::lerp(begin, end, (speed - before) / (here - before))))};
   }
   return {};
 }
@@ -90,8 +96,10 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
                     change > 0 ? "faster." : "slower."});
     return phrase;
   }
-  if (const auto reached = time_to(motor, 0.9 * std::abs(at.speed)))
-    append(phrase, {"; it has 90 % of that after ", strong(time_part(*reached))});
+  if (const auto reached = time_to(motor, 0.9 * std::abs(at.speed))) {
+    append(phrase, {"; it has 90 % of that "});
+    append(phrase, *reached);
+  }
   append(phrase, {"."});
   return phrase;
 }

@@ -61,6 +61,7 @@ Phrase impossible_phrase(const ImpossibleState& limit, const std::vector<RangeSt
                 limit_part(limit.text),
                 " cannot be reached: the ",
                 limit.at_least ? "most" : "least",
+                limit.of_two_sides ? " of its left side minus its right side that was" : "",
                 " found within the ranges is ",
                 value_part(limit.best, limit.unit)};
   for (std::size_t k = 0; k < limit.ends.size(); ++k) {
@@ -100,8 +101,8 @@ Phrase cure_sentence(const Explanation& told) {
   for (const RelaxationState& one : told.limits)
     if (one.amount_alone > 0) {
       const double loosened = one.limit + (one.at_least ? -1 : 1) * one.amount_alone;
-      least.push_back({limit_part(one.text), " by ", value_part(one.amount_alone, one.unit, 3),
-                       ", to ", value_part(loosened, one.unit, 3)});
+      least.push_back({limit_part(one.text), " by ", value_part(one.amount_alone, one.unit, 3)});
+      if (!one.of_two_sides) append(least.back(), {", to ", value_part(loosened, one.unit, 3)});
     }
   for (const RangeState& end : told.ranges)
     if (!std::isnan(end.limit_alone)) {

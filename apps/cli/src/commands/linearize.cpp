@@ -37,6 +37,8 @@ constexpr const char* kLinearizeExamples = R"text(Examples:
   twum linearize moving-60.yaml --from "40.2 kHz" --to "43 kHz" --points 8
 The last one writes a gain schedule: a plant and the gains of a loop of the speed for each frequency.)text";
 
+constexpr std::array kAxial{motion::AxialMotion::balanced, motion::AxialMotion::dynamic};
+
 struct LinearizeOptions {
   MotorOptions motor;
   OutputOptions output;
@@ -259,6 +261,8 @@ std::string schedule_table(const studies::MotorFile& file,
 
 int write_schedule(const LinearizeOptions& options, const studies::MotorFile& file, double torque,
                    Output& output) {
+  if (!options.axial.empty())
+    throw InputError("--axial: a gain schedule takes the rotor's height as balanced; leave it out");
   const double sample = parse_time("--sample-time", options.sample_time);
   const auto delay = static_cast<int>(parse_count("--delay", options.delay, 0, 100));
   const auto rows = motion::gain_schedule(
@@ -283,9 +287,7 @@ int run_linearize(const LinearizeOptions& options) {
   const double torque = options.torque.empty() ? 0 : parse_torque("--torque", options.torque);
   if (!options.from.empty() || !options.to.empty())
     return write_schedule(options, file, torque, output);
-  const LinearPlant plant = motion::linearize(
-      file.design, torque,
-      options.axial == "dynamic" ? motion::AxialMotion::dynamic : motion::AxialMotion::balanced);
+  const LinearPlant plant = motion::linearize(file.design, torque, value_of(options.axial, kAxial));
   const std::string& format = options.output.format;
   output.write(format == "json"     ? as_json(file, plant)
                : format == "csv"    ? as_csv(plant)
@@ -314,8 +316,8 @@ void add_linearize(CLI::App& app, Action& action) {
   command
       ->add_option("--axial", options->axial,
                    "dynamic: the rotor's height and its rate are two states more (default: static)")
-      ->check(one_of({"static", "dynamic"}))
-      ->type_name("AXIAL");
+      ->check(one_of(words_of(kAxial)))
+      ->type_name(choices(words_of(kAxial)));
   command->add_option("--from", options->from, "Lowest frequency of a gain schedule")
       ->type_name("FREQUENCY");
   command->add_option("--to", options->to, "Highest frequency of a gain schedule")

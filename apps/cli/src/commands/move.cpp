@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -20,6 +21,9 @@ constexpr const char* kMoveExamples = R"text(Examples:
   twum move drive-60.yaml --set "rotor_inertia=7e-6 kg.m^2"
   twum move moving-60.yaml --engine oscillating --set radial_slices=1
 A study of kind 'motion' changes drive and load over time ('twum init motion' writes one).)text";
+
+constexpr std::array kEngines{motion::MotionEngine::averaged, motion::MotionEngine::oscillating};
+constexpr std::array kAxial{motion::AxialMotion::balanced, motion::AxialMotion::dynamic};
 
 struct MoveOptions {
   StudyCommand study;
@@ -35,9 +39,8 @@ studies::MotionStudy asked_by(const MoveOptions& options) {
   if (!options.frequency.empty())
     asked.drive.frequency = parse_frequency("--frequency", options.frequency);
   if (!options.torque.empty()) asked.load.torque = parse_torque("--torque", options.torque);
-  if (options.engine == to_string(motion::MotionEngine::oscillating))
-    asked.engine = motion::MotionEngine::oscillating;
-  if (options.axial == "dynamic") asked.axial = motion::AxialMotion::dynamic;
+  asked.engine = value_of(options.engine, kEngines);
+  asked.axial = value_of(options.axial, kAxial);
   if (!options.inertia.empty()) asked.load.inertia = parse_inertia("--inertia", options.inertia);
   return asked;
 }
@@ -69,15 +72,14 @@ void add_move(CLI::App& app, Action& action) {
       ->add_option("--engine", options->engine,
                    "averaged: one wave; oscillating: every vibration of two waves, slower "
                    "(default: averaged)")
-      ->check(one_of({to_string(motion::MotionEngine::averaged),
-                      to_string(motion::MotionEngine::oscillating)}))
-      ->type_name("ENGINE");
+      ->check(one_of(words_of(kEngines)))
+      ->type_name(choices(words_of(kEngines)));
   command
       ->add_option("--axial", options->axial,
                    "static: the rotor's axial position is balanced at every instant; dynamic: its "
                    "mass moves it (default: static)")
-      ->check(one_of({"static", "dynamic"}))
-      ->type_name("AXIAL");
+      ->check(one_of(words_of(kAxial)))
+      ->type_name(choices(words_of(kAxial)));
   command->footer(kMoveExamples);
   command->callback([options, &action] {
     action = [options] { return run_study_command(options->study, asked_by(*options)); };

@@ -27,6 +27,8 @@ enum class AxialMotion : unsigned char {
   balanced,  ///< the preload holds it where the contact carries it, at every instant
   dynamic    ///< it moves by its mass and damping (M4.5)
 };
+/// "static" or "dynamic", as in a study file; static lifetime.
+const char* to_string(AxialMotion value) noexcept;
 
 /// From one time to another [s].
 struct Interval {
@@ -55,8 +57,8 @@ struct MotionTask {
   std::vector<Interval> switched_off{};  ///< when the drive is off; phases then have off_resistance
   std::vector<Interval> reversed{};      ///< when phases are swapped: the wave runs backward
   MotionEngine engine{MotionEngine::averaged};  ///< how it is computed
-  AxialMotion axial{
-      AxialMotion::balanced};  ///< of the averaged engine; the other one takes the mass
+  /// Of the averaged engine; the other one takes the mass.
+  AxialMotion axial{AxialMotion::balanced};
   /// Lead of the first phase before the second [rad]; other than a quarter of a turn with the oscillating engine only
   Profile phase_difference{std::numbers::pi / 2};
   /// Of the oscillating engine: 1, 2 or 4; 0.5 to compare with. It multiplies points of the contact and steps of a period.

@@ -91,6 +91,8 @@ struct RelaxationState {
   double limit{0};         ///< as asked, SI
   double amount{0};        ///< relaxation if all limits with an amount are relaxed together, >= 0
   double amount_alone{0};  ///< relaxation if only this limit is relaxed; NaN: that does not help
+  /// Both sides depend on the motor: `limit` is 0, the limit of the left one minus the right one.
+  bool of_two_sides{false};
 };
 
 /// A limit for which no design within the ranges was found, even without all other limits. SI.
@@ -104,6 +106,7 @@ struct ImpossibleState {
   /// range ends that prevent a better value: positions in Explanation::ranges
   std::vector<std::size_t> ends;
   std::vector<ChosenSet> choice{};  ///< of the design with the best value
+  bool of_two_sides{false};         ///< both sides depend on the motor: `best` is left minus right
 };
 
 /// An end of a variable's range that contributes to the infeasibility. SI.

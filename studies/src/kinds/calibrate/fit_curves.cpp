@@ -54,6 +54,13 @@ bool is_end_of(const CalibrateResult::Point& point, const std::string& quantity)
          (point.quantity == "stall_torque" && quantity == "torque_at");
 }
 
+// What is read in a point of the data, at another speed or torque.
+decltype(MeasuredPoint::reading) reading_of(const CalibrateResult::Point& point, double at) {
+  if (const auto metric = find_metric(point.quantity))
+    return MetricRequest{*metric, point.argument, point.argument == Argument::none ? 0 : at};
+  return *find_circuit_part(point.quantity);
+}
+
 class Curves {
  public:
   Curves(const StudyFile& study, const CalibrateResult& result)
@@ -160,7 +167,7 @@ class Curves {
   std::vector<std::vector<double>> farthest_motors(const FitCurve& curve) const {
     constexpr std::size_t kPlaces = 5;
     std::vector<std::vector<double>> motors;
-    for (const optim::BandEnd end : {optim::BandEnd::low, optim::BandEnd::high}) {
+    for (const optim::IntervalEnd end : {optim::IntervalEnd::low, optim::IntervalEnd::high}) {
       std::vector<double> near;
       for (std::size_t k = 0; k < kPlaces; ++k) {
         const double share = static_cast<double>(k) / (kPlaces - 1);
@@ -186,11 +193,7 @@ class Curves {
   MeasuredPoint reading(const FitCurve& curve, double at) const {
     const CalibrateResult::Point& like = result_.data[curve.points.front()];
     MeasuredPoint point;
-    if (const auto metric = find_metric(curve.quantity))
-      point.reading =
-          MetricRequest{*metric, like.argument, like.argument == Argument::none ? 0 : at};
-    else
-      point.reading = *find_circuit_part(curve.quantity);
+    point.reading = reading_of(like, at);
     for (const NamedValue& one : like.set)
       point.set.emplace_back(*find_parameter(one.name),
                              one.name == curve.over.name ? at : one.value);
@@ -214,10 +217,7 @@ class Curves {
   // A measured number as the fit has it.
   MeasuredPoint measured(const CalibrateResult::Point& point) const {
     MeasuredPoint one;
-    if (const auto metric = find_metric(point.quantity))
-      one.reading = MetricRequest{*metric, point.argument, point.at};
-    else
-      one.reading = *find_circuit_part(point.quantity);
+    one.reading = reading_of(point, point.at);
     one.value = point.value, one.weight = point.weight, one.deviation = point.deviation;
     for (const NamedValue& set : point.set)
       one.set.emplace_back(*find_parameter(set.name), set.value);

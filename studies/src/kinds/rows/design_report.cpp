@@ -230,12 +230,14 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
     const MotorLimit* limit = limit_named(r.name);
     if (limit != nullptr && !is_of_the_drive(*limit))
       told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
-                             r.side == optim::Side::lower, r.limit, r.amount, r.amount_alone});
+                             r.side == optim::Side::lower, r.limit, r.amount, r.amount_alone,
+                             !limit->sides.empty()});
   }
   for (const optim::Impossible& i : infeasibility.impossible) {
     if (const MotorLimit* limit = limit_named(i.name))
       told.impossible.push_back({limit->text, limit->metric.unit(), i.side == optim::Side::lower,
-                                 i.limit, i.best, i.certified, i.ends, choice_of(i.design)});
+                                 i.limit, i.best, i.certified, i.ends, choice_of(i.design),
+                                 !limit->sides.empty()});
   }
   for (const optim::RangeEnd& end : infeasibility.ranges) {
     const auto parameter = find_parameter(end.variable);
