@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axial_motions.hpp"
 #include "command.hpp"
 #include "exit_status.hpp"
 #include "formats.hpp"
@@ -36,8 +37,6 @@ constexpr const char* kLinearizeExamples = R"text(Examples:
   twum linearize moving-60.yaml --format json -o plant.json
   twum linearize moving-60.yaml --from "40.2 kHz" --to "43 kHz" --points 8
 The last one writes a gain schedule: a plant and the gains of a loop of the speed for each frequency.)text";
-
-constexpr std::array kAxial{motion::AxialMotion::balanced, motion::AxialMotion::dynamic};
 
 struct LinearizeOptions {
   MotorOptions motor;
@@ -287,7 +286,8 @@ int run_linearize(const LinearizeOptions& options) {
   const double torque = options.torque.empty() ? 0 : parse_torque("--torque", options.torque);
   if (!options.from.empty() || !options.to.empty())
     return write_schedule(options, file, torque, output);
-  const LinearPlant plant = motion::linearize(file.design, torque, value_of(options.axial, kAxial));
+  const LinearPlant plant =
+      motion::linearize(file.design, torque, value_of(options.axial, kAxialMotions));
   const std::string& format = options.output.format;
   output.write(format == "json"     ? as_json(file, plant)
                : format == "csv"    ? as_csv(plant)
@@ -316,8 +316,8 @@ void add_linearize(CLI::App& app, Action& action) {
   command
       ->add_option("--axial", options->axial,
                    "dynamic: the rotor's height and its rate are two states more (default: static)")
-      ->check(one_of(words_of(kAxial)))
-      ->type_name(choices(words_of(kAxial)));
+      ->check(one_of(words_of(kAxialMotions)))
+      ->type_name(choices(words_of(kAxialMotions)));
   command->add_option("--from", options->from, "Lowest frequency of a gain schedule")
       ->type_name("FREQUENCY");
   command->add_option("--to", options->to, "Highest frequency of a gain schedule")

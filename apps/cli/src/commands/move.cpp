@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axial_motions.hpp"
 #include "command.hpp"
 #include "options.hpp"
 #include "study_command.hpp"
@@ -23,7 +24,6 @@ constexpr const char* kMoveExamples = R"text(Examples:
 A study of kind 'motion' changes drive and load over time ('twum init motion' writes one).)text";
 
 constexpr std::array kEngines{motion::MotionEngine::averaged, motion::MotionEngine::oscillating};
-constexpr std::array kAxial{motion::AxialMotion::balanced, motion::AxialMotion::dynamic};
 
 struct MoveOptions {
   StudyCommand study;
@@ -40,7 +40,7 @@ studies::MotionStudy asked_by(const MoveOptions& options) {
     asked.drive.frequency = parse_frequency("--frequency", options.frequency);
   if (!options.torque.empty()) asked.load.torque = parse_torque("--torque", options.torque);
   asked.engine = value_of(options.engine, kEngines);
-  asked.axial = value_of(options.axial, kAxial);
+  asked.axial = value_of(options.axial, kAxialMotions);
   if (!options.inertia.empty()) asked.load.inertia = parse_inertia("--inertia", options.inertia);
   return asked;
 }
@@ -78,8 +78,8 @@ void add_move(CLI::App& app, Action& action) {
       ->add_option("--axial", options->axial,
                    "static: the rotor's axial position is balanced at every instant; dynamic: its "
                    "mass moves it (default: static)")
-      ->check(one_of(words_of(kAxial)))
-      ->type_name(choices(words_of(kAxial)));
+      ->check(one_of(words_of(kAxialMotions)))
+      ->type_name(choices(words_of(kAxialMotions)));
   command->footer(kMoveExamples);
   command->callback([options, &action] {
     action = [options] { return run_study_command(options->study, asked_by(*options)); };
