@@ -30,10 +30,15 @@ endfunction()
 
 # twum_lanes(TARGET SOURCE FLAG...): a source for processors with wider vectors than all have; the program asks when it runs. It is
 # compiled alone and always optimized, so that its flags reach no function that others might use (tests/core/check_lanes.py).
+# Programs with a sanitizer run where they are built; they need no such care.
 function(twum_lanes target source)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
     target_sources(${target} PRIVATE ${source})
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-O3;${ARGN}")
+    set(optimize -O3)
+    if(TWUM_SANITIZE)
+      set(optimize)
+    endif()
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${optimize};${ARGN}")
   endif()
 endfunction()
 

@@ -18,6 +18,10 @@ double between(const Profile::Row& a, const Profile::Row& b, double time) {
 
 }  // namespace
 
+Profile::Profile(double constant) : rows_{{0, constant}} {
+  if (!std::isfinite(constant)) throw InputError("a value that stays the same must be finite");
+}
+
 Profile::Profile(std::vector<Row> rows) : rows_(std::move(rows)) {
   if (rows_.empty()) throw InputError("a profile needs at least one row of time and value");
   for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -31,6 +31,7 @@ TEST_CASE("a profile refuses times that fall, a third row at a time, and no rows
   CHECK_THROWS_WITH(Profile({{1, 0}, {0.5, 0}}), Contains("must rise") && Contains("row 2"));
   CHECK_THROWS_WITH(Profile({{0, 0}, {1, 0}, {1, 1}, {1, 2}}), Contains("row 4 is a third one"));
   CHECK_THROWS_WITH(Profile(std::vector<Profile::Row>{}), Contains("at least one row"));
+  CHECK_THROWS_WITH(Profile(std::nan("")), Contains("must be finite"));
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(Profile({{0, infinite}}), Contains("row 1 of a profile is not finite"));
 }

@@ -336,3 +336,24 @@ TEST_CASE("a range is extended only where the variable allows it", "[optim][infe
     for (const RangeEnd& end : r.infeasibility.ranges) CHECK(std::isnan(end.limit_alone));
   }
 }
+
+// gap <= 0 holds for x <= 3.2 or x >= 7.2. Under it the hill is least at one of these two: with u = x - 5, 1/2 + u^2 / 4 - 3 u^3 / 100
+// is 1.485 at u = -1.8 and 1.3906 at u = 2.2. The sum of both excesses is least near x = 5, from where the gap falls to the left.
+TEST_CASE("a limit is loosened by the least of two ways, not by the nearer one",
+          "[optim][infeasible][closed_form]") {
+  const Problem p =
+      posed(box(1, 0, 10, 0, 10), {at_most("hill", 0), at_most("gap", 0)}, [](const D* x, D* r) {
+        const D u = x[0] - 5.0, v = 0.5 * (x[0] - 5.2);
+        r[0] = 0.5 + 0.25 * u * u - 0.03 * u * u * u;
+        r[1] = 0.3 * (1.0 - v * v);
+      });
+  const Result r = solve(p);
+  REQUIRE(r.outcome == Outcome::infeasible);
+  const auto& limits = r.infeasibility.relaxations;
+  const auto hill = std::ranges::find(limits, "hill", &Relaxation::name);
+  REQUIRE(hill != limits.end());
+  const double u = 2.2;
+  CHECK(hill->amount_alone == Approx(0.5 + 0.25 * u * u - 0.03 * u * u * u).epsilon(kSolver));
+  // In stages that search for a loosening, limits are not kept.
+  CHECK(std::ranges::none_of(r.stages, &StageReport::feasible));
+}

@@ -69,7 +69,10 @@ class Move(unittest.TestCase):
                                 ({"duration": 0.01, "points": 1}, "at least 2"),
                                 ({"duration": 0.01, "voltage": [1, 2]}, "rows of a time and a value"),
                                 ({"duration": "0 ms"}, "duration"),
-                                ({"duration": 0.01, "frequency": "3 V"}, "frequency")):
+                                ({"duration": 0.01, "frequency": "3 V"}, "frequency"),
+                                ({"duration": 0.01, "load_torque": float("nan")}, "load_torque: expected a finite value"),
+                                ({"duration": 0.01, "amplitude": "1 um"}, "driven by a voltage; give voltage"),
+                                ({"duration": 0.01, "accuracy": 0.5}, "only the oscillating engine")):
             with self.assertRaisesRegex(twum.InputError, text):
                 self.motor.move(**arguments)
 

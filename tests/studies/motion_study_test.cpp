@@ -221,10 +221,35 @@ TEST_CASE("a loop's study is that of the engine, with gains and margins", "[stud
   CHECK(motor.loop->gains.integral == direct.gains.integral);
   CHECK(motor.loop->margins.phase == direct.margins.phase);
   CHECK(summary_text(result).find("phase margin") != std::string::npos);
-  // A position is told by its goal.
+  CHECK(summary_text(result).find("its reference") != std::string::npos);
   asked.control->kind = MotionControl::Kind::position;
   asked.control->reference = 0.2, asked.control->range = {{40.2e3}, {43.6e3}};
   asked.control->slew = LoopValue{2e5};
   asked.control->gain = 60;
-  CHECK(summary_text(moved(asked)).find("from its goal") != std::string::npos);
+  CHECK(summary_text(moved(asked)).find("from its reference") != std::string::npos);
+}
+
+TEST_CASE(
+    "measures of a loop refer to its reference, which a loop without an integral does not reach",
+    "[studies][motion]") {
+  MotionStudy asked;
+  asked.duration = 0.05;
+  asked.load.inertia = 93e-6;
+  asked.control.emplace();
+  asked.control->reference = 12.0;
+  asked.control->range = {{39.7e3}, {44.5e3}};
+  asked.control->gains = MotionControl::Gains{{-12.0}, {-1e-3}};
+  asked.measure = {motion_measure("settling_time(speed, 1 %)"), motion_measure("overshoot(speed)"),
+                   motion_measure("time_to(speed, 90 %)"), motion_measure("overshoot(amplitude)")};
+  const StudyResult result = moved(asked);
+  const MotionResult::Member& motor = motion_of(result).members.at(0);
+  const double last = motor.motion.last.speed;
+  REQUIRE(last < 0.99 * 12);
+  CHECK(std::isnan(motor.measures.at(0).value));
+  CHECK(motor.measures.at(1).value == Approx(motor.motion.fastest / 12 - 1));
+  const double reached = motor.measures.at(2).value;
+  CHECK(std::isnan(reached) == (motor.motion.fastest < 0.9 * 12));
+  // The loop does not control the amplitude: its overshoot is over the last one.
+  CHECK(motor.measures.at(3).value >= 0);
+  CHECK(answer_json(motion_of(result))["motion"]["reference"] == 12.0);
 }

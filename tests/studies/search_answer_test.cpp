@@ -260,12 +260,13 @@ TEST_CASE("limits that no design keeps are named with what would do",
                                relaxation("max_torque <= 1 N.m", false, 0, kNaN),
                                relaxation("peak_torque <= 1 N.m", false, 0.25, 0.5)};
   const std::string text = barred(sections_text(result));
-  CHECK_THAT(text, StartsWith("What would make it possible\n"
-                              "limit to loosen | with the others to | alone to\n"
-                              "stall_torque >= 1 N.m | 900 mN.m | 700 mN.m\n"
-                              "max_torque <= 1 N.m | as it is | does not help alone\n"
-                              "peak_torque <= 1 N.m | 1.25 N.m | 1.5 N.m\n"
-                              "\n"));
+  CHECK_THAT(text,
+             StartsWith("What would make it possible\n"
+                        "limit to loosen | value if all are loosened | value if only this one is\n"
+                        "stall_torque >= 1 N.m | 900 mN.m | 700 mN.m\n"
+                        "max_torque <= 1 N.m | as it is | does not help alone\n"
+                        "peak_torque <= 1 N.m | 1.25 N.m | 1.5 N.m\n"
+                        "\n"));
   CHECK_THAT(text, !Contains("Certified") && !Contains("How sure it is"));
   CHECK(
       headline_text(result, "infeasible") ==
@@ -289,12 +290,45 @@ TEST_CASE("limits that no design keeps are named with what would do",
   result.explanation.limits.clear();
   CHECK(headline_text(result, "infeasible") ==
         "No design keeps every limit. stall_torque >= 1 N.m cannot be reached.\n"
-        "Loosening a single limit is not enough; the table below says what would be.\n");
+        "No single limit or end of a range was found that makes it possible.\n");
   CHECK_THAT(sections_text(result), !Contains("What would make it possible"));
   CHECK(answer_json(result).contains("relaxation"));
+  result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, kNaN)};
+  CHECK_THAT(headline_text(result, "infeasible"),
+             Contains("the table shows how far several have to be loosened together"));
   result.explanation.conflict.clear();
   result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
   CHECK_THAT(sections_text(result), StartsWith("What would make it possible\nlimit to loosen"));
+}
+
+TEST_CASE("a limit whose two sides depend on the motor is loosened by an amount, to no value",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  RelaxationState start = relaxation("start_voltage <= voltage", false, 2, 3);
+  start.limit = 0, start.of_two_sides = true;
+  result.explanation.conflict = {start.text, "max_pressure <= 2 MPa"};
+  result.explanation.limits = {start};
+  CHECK_THAT(headline_text(result, "infeasible"),
+             EndsWith("loosened: start_voltage <= voltage by 3 N.m.\n"));
+  CHECK_THAT(barred(sections_text(result)),
+             Contains("start_voltage <= voltage | by 2 N.m | by 3 N.m\n"));
+  ImpossibleState impossible{start.text, "N.m", false, 0, 1.5, true, {}};
+  impossible.of_two_sides = true;
+  result.explanation.impossible = {impossible};
+  CHECK_THAT(
+      headline_text(result, "infeasible"),
+      Contains("start_voltage <= voltage cannot be reached: the least of its left side minus its "
+               "right side that was found within the ranges is 1.5 N.m"));
+}
+
+TEST_CASE("without a design that keeps the limits there are no prices",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  CHECK_THAT(sections_text(result), Contains("What stops it") && Contains("1 % looser"));
+  result.explanation.conflict = {"max_pressure <= 2 MPa"};
+  CHECK_THAT(sections_text(result),
+             !Contains("What stops it") && !Contains("1 % looser") &&
+                 Contains("The limits at the design that breaks them least"));
 }
 
 TEST_CASE("limits impossible alone come first, then those that exclude each other, then the ranges",
@@ -316,10 +350,10 @@ TEST_CASE("limits impossible alone come first, then those that exclude each othe
           "N."));
   CHECK_THAT(barred(sections_text(result)),
              StartsWith("What would make it possible\n"
-                        "limit to loosen | with the others to | alone to\n"
+                        "limit to loosen | value if all are loosened | value if only this one is\n"
                         "stall_torque >= 1 N.m | 500 mN.m | does not help alone\n"
                         "\n"
-                        "end of a range to move | alone to\n"
+                        "end of a range to move | value if only this one is\n"
                         "preload <= 100 N | 180 N\n"
                         "amplitude >= 1 um | none found\n"));
   const Json json = answer_json(result)["relaxation"];

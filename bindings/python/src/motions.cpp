@@ -8,6 +8,8 @@
 #include <twum/base/error.hpp>
 #include <twum/motion.hpp>
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,16 +24,21 @@ constexpr std::uint64_t kParts = 100;  // that progress is told of
 // A value, or rows (time, value).
 Profile to_profile(const std::string& name, const py::object& value, const char* unit,
                    const char* example) {
-  if (py::isinstance<py::str>(value) || number_of(value))
-    return to_quantity(name, value, unit, example);
+  const auto finite = [&](const std::string& what, py::handle given, const char* its_unit,
+                          const char* its_example) {
+    const double number = to_quantity(what, given, its_unit, its_example);
+    if (!std::isfinite(number)) throw InputError(what + ": expected a finite value");
+    return number;
+  };
+  if (py::isinstance<py::str>(value) || number_of(value)) return finite(name, value, unit, example);
   std::vector<Profile::Row> rows;
   for (const py::handle row : py::iter(value)) {
     const auto pair = py::reinterpret_borrow<py::object>(row);
     if (py::isinstance<py::str>(pair) || !PySequence_Check(pair.ptr()) || py::len(pair) != 2)
       throw InputError(name + ": expected a value, or rows of a time and a value, such as [(0, '" +
                        example + "')]");
-    rows.emplace_back(to_quantity(name + ": time", pair[py::int_(0)], "s", "5 ms"),
-                      to_quantity(name, pair[py::int_(1)], unit, example));
+    rows.emplace_back(finite(name + ": time", pair[py::int_(0)], "s", "5 ms"),
+                      finite(name, pair[py::int_(1)], unit, example));
   }
   return Profile(std::move(rows));
 }
@@ -73,12 +80,24 @@ struct MoveArguments {
   py::object voltage, amplitude, frequency, load_torque, switched_off, reversed, phase_difference;
   bool steady;
   std::string engine, axial;
-  double accuracy;
+  std::optional<double> accuracy;
   std::size_t points;
 };
 
+// Arguments that would change nothing.
+void refuse_unused(const MotorDesign& design, const MoveArguments& given) {
+  const bool driven = design.stator.voltage.has_value();
+  if (driven && !given.amplitude.is_none())
+    throw InputError("amplitude: this motor is driven by a voltage; give voltage");
+  if (!driven && !given.voltage.is_none())
+    throw InputError("voltage: the amplitude of this motor is given; give amplitude");
+  if (given.accuracy && to_engine(given.engine) == MotionEngine::averaged)
+    throw InputError("accuracy: only the oscillating engine has one; leave it out");
+}
+
 MotionTask to_task(const MotorDesign& design, const py::object& duration,
                    const MoveArguments& given) {
+  refuse_unused(design, given);
   MotionTask task = steady_drive(design, to_quantity("duration", duration, "s", "20 ms"));
   const auto take = [](Profile& profile, const char* name, const py::object& value,
                        const char* unit, const char* example) {
@@ -93,7 +112,7 @@ MotionTask to_task(const MotorDesign& design, const py::object& duration,
     task.switched_off = to_intervals("switched_off", given.switched_off);
   if (py::len(given.reversed) > 0) task.reversed = to_intervals("reversed", given.reversed);
   task.initial.steady = given.steady;
-  task.engine = to_engine(given.engine), task.accuracy = given.accuracy;
+  task.engine = to_engine(given.engine), task.accuracy = given.accuracy.value_or(1);
   task.axial = to_axial(given.axial);
   task.output_times = equal_times(task.duration, given.points);
   return task;
@@ -172,8 +191,8 @@ void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor) {
          const py::object& amplitude, const py::object& frequency, const py::object& load_torque,
          const py::object& switched_off, const py::object& reversed,
          const py::object& phase_difference, bool steady, const std::string& engine,
-         const std::string& axial, double accuracy, std::size_t points, const py::object& stop,
-         const py::object& progress) {
+         const std::string& axial, std::optional<double> accuracy, std::size_t points,
+         const py::object& stop, const py::object& progress) {
         return move(self, duration,
                     {voltage, amplitude, frequency, load_torque, switched_off, reversed,
                      phase_difference, steady, engine, axial, accuracy, points},
@@ -184,11 +203,11 @@ void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor) {
       py::arg("load_torque") = py::none(), py::arg("switched_off") = py::tuple(),
       py::arg("reversed") = py::tuple(), py::arg("phase_difference") = py::none(),
       py::arg("steady") = false, py::arg("engine") = "averaged", py::arg("axial") = "static",
-      py::arg("accuracy") = 1.0, py::arg("points") = 401, py::arg("stop") = py::none(),
+      py::arg("accuracy") = py::none(), py::arg("points") = 401, py::arg("stop") = py::none(),
       py::arg("progress") = py::none(),
       "move(self, duration, *, voltage=None, amplitude=None, frequency=None, load_torque=None, "
       "switched_off=(), reversed=(), phase_difference=None, steady=False, "
-      "engine='averaged', axial='static', accuracy=1.0, points=401, stop=None, "
+      "engine='averaged', axial='static', accuracy=None, points=401, stop=None, "
       "progress=None)\n--\n\n"
       "A motion in time, a Motion: from rest, or from the steady state under the first values. "
       "Voltage, amplitude,\nfrequency, load torque and phase difference are values, by default "

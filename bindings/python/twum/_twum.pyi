@@ -393,7 +393,7 @@ class Motor:
         steady: bool = False,
         engine: str = "averaged",
         axial: str = "static",
-        accuracy: float = 1.0,
+        accuracy: float | None = None,
         points: int = 401,
         stop: _Stop | None = None,
         progress: _Progress | None = None,

@@ -10,6 +10,13 @@
 #include <cstddef>
 #include <numbers>
 
+// Inlines all calls of a function. Not with the checks of a sanitizer: the compiler would take ten minutes for one function.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TWUM_FLATTEN
+#else
+#define TWUM_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace twum::contact {
 
 /// sigma v_rel along a slip zone, as SlipCurve but for the steps of (E4.6).

@@ -4,7 +4,7 @@
 namespace twum::contact {
 
 // All that it calls is compiled into it: no other function of this source is left for programs on other processors to take.
-[[gnu::flatten]] void run_lanes_avx512(const LayerMotion<double>& layer, LaneBatch& batch) {
+TWUM_FLATTEN void run_lanes_avx512(const LayerMotion<double>& layer, LaneBatch& batch) {
   constexpr LaneWidth kThis = LaneWidth::avx512;
   for (int lane = 0; lane < kLanes; lane += kWidth<kThis>)
     LaneRunner<kThis>(layer, batch, lane).run();

@@ -59,6 +59,10 @@ class Investigation {
     told().design = design_ = found.design;
     told().relaxations = found.relaxations;
     told().certified = found.certified;
+    for (Relaxation& limit : told().relaxations) {
+      sharpen(limit);
+      if (!causes_.feasible.empty()) return std::move(causes_);
+    }
     Rows remaining(problem_.constraints.size());
     std::iota(remaining.begin(), remaining.end(), std::size_t{0});
     // Limits that are impossible on their own are removed one after the other; then the remaining ones are explained.
@@ -101,6 +105,22 @@ class Investigation {
     return result;
   }
 
+  // The least excess of a limit under all others. The first search for it began at one design only.
+  void sharpen(Relaxation& limit) {
+    if (!(limit.amount_alone > 0.0) || exhausted()) return;
+    const auto found = std::ranges::find(problem_.constraints, limit.name, &Constraint::name);
+    const auto row = static_cast<std::size_t>(found - problem_.constraints.begin());
+    if (std::isfinite(found->lower) && std::isfinite(found->upper))
+      return;  // its other side must hold
+    Rows others(problem_.constraints.size());
+    std::iota(others.begin(), others.end(), std::size_t{0});
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(row));
+    const Result best = best_value(row, limit.side, std::move(others));
+    if (!is_found(best)) return;
+    if (keeps(*found, limit.side, best)) causes_.feasible = best.design;
+    limit.amount_alone = std::min(limit.amount_alone, excess(*found, limit.side, best));
+  }
+
   // Moves the limits that are impossible by themselves from `remaining` to the report. False if there is none.
   bool take_impossible(const Infeasibility& found, Rows& remaining) {
     const std::size_t before = remaining.size();
@@ -131,24 +151,49 @@ class Investigation {
   // limit is out of reach.
   bool impossible_side(std::size_t row, Side side) {
     if (exhausted()) return false;
+    const Result best = best_value(row, side, {});
+    const Constraint& c = problem_.constraints[row];
+    if (!is_found(best) || keeps(c, side, best)) return false;
+    Impossible found{c.name,
+                     side,
+                     bound_of(c, side),
+                     best.evaluation.values[0],
+                     best.outcome == Outcome::optimal,
+                     {},
+                     best.design};
+    for (const RangeEnd& end : ends_of(best)) found.ends.push_back(add_range(end));
+    told().impossible.push_back(std::move(found));
+    return true;
+  }
+
+  // The best value of one limit's response under some of the limits.
+  Result best_value(std::size_t row, Side side, Rows limits) {
     const std::size_t response = problem_.objectives.size() + row;
     const Sense sense = side == Side::lower ? Sense::maximize : Sense::minimize;
     Restated best =
-        restate(problem_, {Question::About::response, response, sense, {}}, options_.observer);
+        restate(problem_, {Question::About::response, response, sense, std::move(limits)},
+                options_.observer);
     start_at(best.problem, design_);
-    const Result result = ask(best.problem, best.observer, false);
-    if (result.outcome != Outcome::optimal && result.outcome != Outcome::feasible) return false;
-    const Constraint& c = problem_.constraints[row];
-    const double value = result.evaluation.values[0];
-    const double excess = side == Side::lower ? c.lower - value : value - c.upper;
-    const double terms = term_magnitude(best.problem, 0, result.evaluation, result.design);
-    const double bound = side == Side::lower ? c.lower : c.upper;
-    if (excess <= limit_tolerance(c, bound, terms, options_.feasibility_tolerance)) return false;
-    Impossible found{c.name, side,         bound, value, result.outcome == Outcome::optimal,
-                     {},     result.design};
-    for (const RangeEnd& end : ends_of(result)) found.ends.push_back(add_range(end));
-    told().impossible.push_back(std::move(found));
-    return true;
+    return ask(best.problem, best.observer, false);
+  }
+
+  static bool is_found(const Result& result) {
+    return result.outcome == Outcome::optimal || result.outcome == Outcome::feasible;
+  }
+
+  static double bound_of(const Constraint& c, Side side) {
+    return side == Side::lower ? c.lower : c.upper;
+  }
+
+  static double excess(const Constraint& c, Side side, const Result& best) {
+    const double value = best.evaluation.values[0];
+    return side == Side::lower ? c.lower - value : value - c.upper;
+  }
+
+  bool keeps(const Constraint& c, Side side, const Result& best) const {
+    const double terms = term_magnitude(problem_, 0, best.evaluation, best.design);
+    return excess(c, side, best) <=
+           limit_tolerance(c, bound_of(c, side), terms, options_.feasibility_tolerance);
   }
 
   // Ends of ranges that restrain an optimum, and those at which its integer variables are.

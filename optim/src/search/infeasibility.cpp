@@ -178,7 +178,7 @@ Explanation explain_infeasible(StageRunner& runner, std::span<const double> unit
     if (!names.contains(l.constraint) || (l.excess <= l.tolerance && l.slack > 1e-6)) continue;
     const Constraint& c = problem.constraints[l.constraint];
     const std::size_t r = problem.objectives.size() + l.constraint;
-    const double amount = l.excess / runner.scaling().factor(r);
+    const double amount = l.excess <= l.tolerance ? 0.0 : l.excess / runner.scaling().factor(r);
     Alone alone = relaxation_alone(runner, l.constraint, unit);
     if (runner.scaling().size() == 0 && names.size() == 1) alone.amount = amount;
     report.relaxations.push_back(

@@ -321,6 +321,23 @@ Observer serialized(const Observer& observer) {
   };
 }
 
+// Goes on from a design that keeps every limit, with the budget that is left.
+Result solve_from(const Problem& problem, std::span<const double> design,
+                  const SolveOptions& options, const Deadline& deadline, Result&& before) {
+  Problem moved = problem;
+  for (std::size_t j = 0; j < design.size(); ++j) moved.variables[j].start = design[j];
+  SolveOptions rest = options;
+  rest.first_stage += before.stages_used;
+  rest.budget.evaluations -= std::min(rest.budget.evaluations, before.counters.evaluations);
+  Result found = solve_plainly(moved, rest, deadline);
+  found.counters.add(before.counters);
+  found.stages_used += before.stages_used;
+  found.stages.insert(found.stages.begin(), std::make_move_iterator(before.stages.begin()),
+                      std::make_move_iterator(before.stages.end()));
+  return found;
+}
+
+// The causes of the infeasibility, or the answer of a search that goes on, if a design keeps every limit after all.
 void complete_explanation(const Problem& problem, const SolveOptions& options,
                           const Deadline& deadline, Result& result) {
   SolveOptions rest = options;
@@ -331,6 +348,8 @@ void complete_explanation(const Problem& problem, const SolveOptions& options,
   result.infeasibility = std::move(causes.infeasibility);
   result.counters.add(causes.counters);
   result.stages_used += causes.stages_used;
+  if (!causes.feasible.empty())
+    result = solve_from(problem, causes.feasible, options, deadline, std::move(result));
   result.seconds = deadline.elapsed();
 }
 

@@ -20,6 +20,7 @@ struct SolverRun {
   std::optional<Certified> certified;
   Counters booked;  ///< counts of this stage that are already in the solve's counters
   bool reported{false};
+  bool slackened{false};  ///< limits have slacks, which `best->violation` leaves out
 };
 
 struct SolverPlan {

@@ -83,6 +83,7 @@ SolverRun StageRunner::run(const Optimizer& optimizer, const Formulation& formul
   const SolverPlan plan{
       &optimizer, next_stage_++, std::min(left(), most), {start.begin(), start.end()}};
   SolverRun run = run_solver(problem_, options_, deadline_, scaling_, formulation, plan);
+  run.slackened = !formulation.extra_lower.empty();
   book(run);
   return run;
 }
@@ -186,7 +187,8 @@ void StageRunner::book(SolverRun& run) {
   report.evaluations = used.evaluations;
   report.objective = std::nan("");
   if (run.best && problem_.objectives.size() == 1) {
-    report.feasible = run.best->violation <= options_.feasibility_tolerance;
+    const double left = run.slackened ? excess(run.best->values) : 0.0;
+    report.feasible = std::max(run.best->violation, left) <= options_.feasibility_tolerance;
     report.objective = run.best->values[0];
   }
   run.reported = true;

@@ -83,6 +83,11 @@ Json answer_json(const MotionResult& result) {
   motion["step"] = result.step;
   motion["units"] = {{"time", "s"},     {"speed", "rad/s"}, {"angle", "rad"}, {"amplitude", "m"},
                      {"duration", "s"}, {"step", "s"},      {"end", "s"}};
+  if (result.reference) {
+    motion["reference"] = result.reference->value;
+    motion["units"]["reference"] =
+        result.reference->kind == MotionControl::Kind::position ? "rad" : "rad/s";
+  }
   if (result.family) {
     motion["units"][result.family->name] = result.family->unit;
     motion["motors"] = Json::array();

@@ -125,7 +125,9 @@ Phrase loosened_phrase(const RelaxationState& state, double amount) {
 }
 
 Table loosened_table(const std::vector<RelaxationState>& limits) {
-  Table table{"relaxation", {{"limit to loosen"}, {"with the others to"}, {"alone to"}}, {}};
+  Table table{"relaxation",
+              {{"limit to loosen"}, {"value if all are loosened"}, {"value if only this one is"}},
+              {}};
   for (const RelaxationState& state : limits)
     table.rows.push_back({{limit_part(state.text)},
                           loosened_phrase(state, state.amount),
@@ -134,7 +136,7 @@ Table loosened_table(const std::vector<RelaxationState>& limits) {
 }
 
 Table ends_table(const std::vector<RangeState>& ranges) {
-  Table table{"range-ends", {{"end of a range to move"}, {"alone to"}}, {}};
+  Table table{"range-ends", {{"end of a range to move"}, {"value if only this one is"}}, {}};
   for (const RangeState& end : ranges)
     table.rows.push_back(
         {end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit),
@@ -301,8 +303,10 @@ Phrase certificate_phrase(const DesignReport& report, const std::string& goal_un
 }
 
 std::vector<Section> relaxation_sections(const Explanation& explanation) {
-  Section section{{"What would make it possible"},
-                  {"To where each limit has to be loosened, together with the others or alone."}};
+  Section section{
+      {"What would make it possible"},
+      {"How far each limit has to be loosened, or the end of a range moved: the least that "
+       "was found."}};
   if (!explanation.limits.empty()) section.tables.push_back(loosened_table(explanation.limits));
   if (!explanation.ranges.empty()) section.tables.push_back(ends_table(explanation.ranges));
   return section.tables.empty() ? std::vector<Section>{} : std::vector{section};

@@ -64,21 +64,38 @@ bool runs(const MovedMotor& motor) {
   return settled(motor).larger_wave() > 3 * motor.opening_amplitude;
 }
 
-Phrase goal_sentence(const MotionResult& answer, const MovedMotor& motor) {
-  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
-  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
+bool is_positioned(const MotionResult& answer) {
+  return answer.reference && answer.reference->kind == MotionControl::Kind::position;
+}
+
+// "The motor", or "With load_inertia 0 kg.m^2 the motor".
+Phrase subject(const MotionResult& answer, const MovedMotor& motor, const std::string& name) {
+  if (!answer.family) return {"The " + name};
+  Phrase phrase{"With "};
+  append(phrase, family_phrase(answer.family, motor.value));
+  append(phrase, {" the " + name});
+  return phrase;
+}
+
+Phrase distance_phrase(double value, double reference, const std::string& unit) {
+  constexpr double kSame = 1e-4;  // as numbers are shown
+  if (std::abs(value - reference) <= kSame * std::abs(reference)) return {", its reference"};
+  return {", ", value_part(std::abs(value - reference), unit, 2), " from its reference"};
+}
+
+Phrase position_sentence(const MotionResult& answer, const MovedMotor& motor) {
   const double angle = motor.motion.last.angle;
-  append(phrase, {answer.family ? " the rotor ends at " : "The rotor ends at ",
-                  strong(value_part(angle, "rad")), ", ",
-                  value_part(std::abs(angle - *answer.goal), "rad", 2), " from its goal."});
+  Phrase phrase = subject(answer, motor, "rotor");
+  append(phrase, {" ends at ", strong(value_part(angle, "rad"))});
+  append(phrase, distance_phrase(angle, answer.reference->value, "rad"));
+  append(phrase, {"."});
   return phrase;
 }
 
 Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
   const MotionSample& at = settled(motor);
-  Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
-  if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
-  append(phrase, {answer.family ? " the motor " : "The motor "});
+  Phrase phrase = subject(answer, motor, "motor");
+  append(phrase, {" "});
   if (!runs(motor)) {
     append(phrase, {bad("does not run"), ": after ", time_part(at.time), " its wave is ",
                     value_part(at.amplitude, "m", 3), " and its speed ",
@@ -91,13 +108,16 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
     return phrase;
   }
   append(phrase, {"turns at ", strong(value_part(at.speed, "rad/s"))});
+  if (answer.reference) append(phrase, distance_phrase(at.speed, answer.reference->value, "rad/s"));
   if (const double change = last_change(motor, at); std::abs(change) > kSettled) {
     append(phrase, {" after ", time_part(at.time), " and is still getting ",
                     change > 0 ? "faster." : "slower."});
     return phrase;
   }
-  if (const auto reached = time_to(motor, 0.9 * std::abs(at.speed))) {
-    append(phrase, {"; it has 90 % of that "});
+  const double level = answer.reference ? answer.reference->value : at.speed;
+  if (const auto reached = time_to(motor, 0.9 * std::abs(level))) {
+    append(phrase,
+           {answer.reference ? "; it reaches 90 % of the reference " : "; it has 90 % of that "});
     append(phrase, *reached);
   }
   append(phrase, {"."});
@@ -123,7 +143,7 @@ Phrase stopping_sentence(const MovedMotor& motor) {
 // The first motor that has no answer or does not run, or the first one.
 const MovedMotor& told_motor(const MotionResult& answer) {
   const auto odd = std::ranges::find_if(answer.members, [&](const MovedMotor& motor) {
-    return motor.motion.status != "ok" || (!answer.goal && !runs(motor));
+    return motor.motion.status != "ok" || (!is_positioned(answer) && !runs(motor));
   });
   return odd == answer.members.end() ? answer.members.front() : *odd;
 }
@@ -137,9 +157,10 @@ Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) 
   if (!complete)
     sentences.push_back({"The motion ", bad("ends early"), ", after ", time_part(motor.motion.end),
                          ": " + reason_of(motor.motion.status) + "."});
-  const bool moves = answer.goal || runs(motor);
-  sentences.push_back(answer.goal ? goal_sentence(answer, motor) : running_sentence(answer, motor));
-  if (complete && motor.off_at && !answer.goal && runs(motor) &&
+  const bool moves = is_positioned(answer) || runs(motor);
+  sentences.push_back(is_positioned(answer) ? position_sentence(answer, motor)
+                                            : running_sentence(answer, motor));
+  if (complete && motor.off_at && !is_positioned(answer) && runs(motor) &&
       std::abs(settled(motor).speed) >= kResting)
     sentences.push_back(stopping_sentence(motor));
   return {complete && moves ? Headline::Look::plain : Headline::Look::bad,

@@ -95,6 +95,16 @@ Phrase cause_sentence(const Explanation& told) {
   return phrase;
 }
 
+// If no limit and no end of a range helps alone.
+Phrase joint_cure_sentence(const Explanation& told) {
+  const auto loosened =
+      std::ranges::count_if(told.limits, [](const RelaxationState& one) { return one.amount > 0; });
+  if (loosened == 0) return {"No single limit or end of a range was found that makes it possible."};
+  return {
+      "Loosening a single limit is not enough; the table shows how far several have to be "
+      "loosened together."};
+}
+
 // The least that would make it possible.
 Phrase cure_sentence(const Explanation& told) {
   std::vector<Phrase> least;
@@ -110,8 +120,7 @@ Phrase cure_sentence(const Explanation& told) {
       append(least.back(), end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
       append(least.back(), {", to ", value_part(end.limit_alone, end.variable.unit, 3)});
     }
-  if (least.empty())
-    return {"Loosening a single limit is not enough; the table below says what would be."};
+  if (least.empty()) return joint_cure_sentence(told);
   Phrase phrase{least.size() == 1 ? "It would be possible with this limit loosened: "
                                   : "It would be possible with one of these limits loosened: "};
   for (std::size_t i = 0; i < least.size(); ++i) {

@@ -21,6 +21,13 @@ Section curves(const OptimizeResult& answer) {
   return section;
 }
 
+// Where no design keeps all limits, there is no optimum, and so no price of a limit.
+Section limits_least_broken(const Json& standings) {
+  Section section{{"The limits at the design that breaks them least"}};
+  section.tables = {limits_table(standings, {})};
+  return section;
+}
+
 Section limits(const OptimizeResult& answer, const Json& standings, const Sources& sources) {
   Section section{{"What stops it"},
                   {"A limit that binds holds the design back; loosened by 1 % it changes the ",
@@ -33,20 +40,26 @@ Section limits(const OptimizeResult& answer, const Json& standings, const Source
   return section;
 }
 
+std::string design_title(const OptimizeResult& answer) {
+  return answer.explanation.empty() ? "best" : "this design";
+}
+
 Section design(const OptimizeResult& answer, const Sources& sources) {
   Section section{{"The design"},
                   {answer.explanation.empty() ? "What the search was free to change."
                                               : "The design that breaks the limits least."}};
   section.wide = false;
   section.hook = "motor file";
-  section.tables = {design_table("design", "best", answer.best, answer.before_design, sources)};
+  section.tables = {
+      design_table("design", design_title(answer), answer.best, answer.before_design, sources)};
   return section;
 }
 
 Section metrics(const OptimizeResult& answer) {
   Section section{{"Metrics"}, efficiency_note(answer.best.metrics)};
   section.wide = false;
-  section.tables = {metrics_table("metrics", "best", answer.best, answer.before_metrics)};
+  section.tables = {
+      metrics_table("metrics", design_title(answer), answer.best, answer.before_metrics)};
   return section;
 }
 
@@ -306,7 +319,9 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
     std::ranges::move(more, std::back_inserter(list));
   };
   add(relaxation_sections(answer.explanation));
-  if (!standings.empty()) list.push_back(limits(answer, standings, sources));
+  if (!standings.empty())
+    list.push_back(answer.explanation.empty() ? limits(answer, standings, sources)
+                                              : limits_least_broken(standings));
   if (answer.robust) add(robust_sections(*answer.robust, answer.goal));
   add({design(answer, sources), metrics(answer)});
   if (answer.explanation.empty()) {

@@ -11,8 +11,8 @@ class Profile {
  public:
   using Row = std::pair<double, double>;  ///< time [s], value
 
-  /// The same value at all times.
-  Profile(double constant = 0) : rows_{{0, constant}} {}
+  /// The same value at all times. @throws InputError unless it is finite
+  Profile(double constant = 0);
   /// @throws InputError unless there is a row, all numbers are finite, times rise, and no time stands in more than two rows.
   explicit Profile(std::vector<Row> rows);
 

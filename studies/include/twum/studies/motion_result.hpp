@@ -4,6 +4,7 @@
 #include <twum/io/column.hpp>
 #include <twum/motion/control.hpp>
 #include <twum/motion/motion.hpp>
+#include <twum/studies/study.hpp>
 
 #include <optional>
 #include <string>
@@ -34,6 +35,11 @@ struct MotionResult {
     motion::LoopPlant plant{};      ///< where they and the margins hold
     motion::LoopMargins margins{};  ///< of the linear plant there
   };
+  /// What a loop is asked for.
+  struct Reference {
+    MotionControl::Kind kind;  ///< what it is the reference of
+    double value;              ///< speed [rad/s] or angle [rad]
+  };
   /// One motor.
   struct Member {
     double value{0};                  ///< of the family's parameter, SI; NaN for the motor alone
@@ -48,10 +54,10 @@ struct MotionResult {
   std::optional<StoredColumn> family;                           ///< nothing for the motor alone
   motion::MotionEngine engine{motion::MotionEngine::averaged};  ///< of all motions
   double accuracy{1};                                           ///< of the oscillating engine
-  std::optional<double> goal{};  ///< last reference of a loop of the position [rad]
-  double duration{0};            ///< [s]
-  double step{0};                ///< between samples [s]
-  std::vector<Member> members;   ///< in the order asked
+  std::optional<Reference> reference{};  ///< of a motion under control, at the end
+  double duration{0};                    ///< [s]
+  double step{0};                        ///< between samples [s]
+  std::vector<Member> members;           ///< in the order asked
 };
 
 }  // namespace twum::studies

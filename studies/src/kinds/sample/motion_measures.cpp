@@ -39,15 +39,16 @@ double time_to(Samples samples, const MotionColumn& column, double level) {
   return kNoValue;
 }
 
-// When a number came to stay within a share of its last value, linear between two samples.
-double settling_time(Samples samples, const MotionColumn& column, double share) {
-  const double last = column.of(samples.back()), allowed = share * std::abs(last);
-  if (std::isnan(last)) return kNoValue;
-  for (std::size_t i = samples.size(); i-- > 0;) {
-    const double distance = std::abs(column.of(samples[i]) - last);
-    if (!(distance > allowed)) continue;
-    const double next = std::abs(column.of(samples[i + 1]) - last);
-    const double way = (distance - allowed) / (distance - next);
+// When a number came to stay within a share of a level, linear between two samples; none if it is outside at the end.
+double settling_time(Samples samples, const MotionColumn& column, double level, double share) {
+  const auto outside = [&](const Sample& s) {
+    return std::abs(column.of(s) - level) - share * std::abs(level);
+  };
+  if (!(outside(samples.back()) <= 0)) return kNoValue;
+  for (std::size_t i = samples.size() - 1; i-- > 0;) {
+    const double here = outside(samples[i]);
+    if (!(here > 0)) continue;
+    const double way = here / (here - outside(samples[i + 1]));
     return std::lerp(samples[i].time, samples[i + 1].time, way);
   }
   return samples.front().time;
@@ -73,21 +74,29 @@ double difference(const Sample* begin, const Sample* end, const MotionColumn& co
   return begin != nullptr && end != nullptr ? column.of(*end) - column.of(*begin) : kNoValue;
 }
 
-double number_of(const MotionMeasure& asked, const motion::Motion& motion, double last_on) {
+bool is_controlled(const MotionColumn& column, const MeasureBase& base) {
+  if (!base.reference) return false;
+  const bool speed = base.reference->kind == MotionControl::Kind::speed;
+  return std::string_view(column.name) == (speed ? "speed" : "angle");
+}
+
+double number_of(const MotionMeasure& asked, const motion::Motion& motion,
+                 const MeasureBase& base) {
   using Kind = MotionMeasure::Kind;
   const Samples samples = motion.samples;
   if (samples.empty()) return kNoValue;
   const MotionColumn* column = find_motion_column(asked.column);
-  const Sample* settled = last_until(samples, last_on);
+  const Sample* last_on = last_until(samples, base.last_on);
   const Sample* last = &samples.back();
+  const auto level = [&] {
+    return is_controlled(*column, base) ? base.reference->value : column->of(*last_on);
+  };
   switch (asked.kind) {
     case Kind::time_to:
-      return time_to(samples, *column,
-                     asked.share ? *asked.share * column->of(*settled) : asked.at);
+      return time_to(samples, *column, asked.share ? *asked.share * level() : asked.at);
     case Kind::settling_time:
-      return settling_time(samples.first(static_cast<std::size_t>(settled - samples.data()) + 1),
-                           *column, *asked.share);
-    case Kind::overshoot: return overshoot(largest(motion, *column), column->of(*settled));
+      return settling_time({samples.data(), last_on + 1}, *column, level(), *asked.share);
+    case Kind::overshoot: return overshoot(largest(motion, *column), level());
     case Kind::peak: return largest(motion, *column);
     case Kind::angle_after:
       return difference(sample_at(samples, asked.at), last, *find_motion_column("angle"));
@@ -140,10 +149,10 @@ MotionResult::StepError step_error(Samples fine, Samples coarse) {
 }
 
 std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& asked,
-                                            const motion::Motion& motion, double last_on) {
+                                            const motion::Motion& motion, const MeasureBase& base) {
   std::vector<MotionResult::Measure> found;
   for (const MotionMeasure& one : asked)
-    found.push_back({one.text, unit_of(one), number_of(one, motion, last_on)});
+    found.push_back({one.text, unit_of(one), number_of(one, motion, base)});
   return found;
 }
 

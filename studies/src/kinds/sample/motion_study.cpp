@@ -51,8 +51,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     MotionResult result;
     result.duration = asked_.duration, result.step = asked_.step();
     result.engine = asked_.engine, result.accuracy = asked_.accuracy.value_or(1);
-    if (asked_.control && asked_.control->kind == MotionControl::Kind::position)
-      result.goal = asked_.control->reference.before(asked_.duration);
+    result.reference = reference_at(asked_.duration);
     return result;
   }
 
@@ -82,7 +81,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     const std::vector<motion::Interval>& off = task.switched_off;
     const double last_on = off.empty() ? asked_.duration : off.front().begin;
     if (!off.empty()) one.off_at = off.back().begin;
-    one.measures = measured(asked_.measure, one.motion, last_on);
+    one.measures = measured(asked_.measure, one.motion, {last_on, reference_at(last_on)});
     one.opening_amplitude = motion::opening_amplitude(motor.design);
     if (is_oscillating()) add_step_errors(one, motor.design, task, last_on);
     return one;
@@ -111,6 +110,11 @@ class MotionRun : public FamilyRun<MotionResult> {
     return std::move(result.motion);
   }
 
+  std::optional<MotionResult::Reference> reference_at(double time) const {
+    if (!asked_.control) return {};
+    return MotionResult::Reference{asked_.control->kind, asked_.control->reference.before(time)};
+  }
+
   // A loop of the position swaps phases where it needs to.
   bool may_swap() const {
     return asked_.control && asked_.control->kind == MotionControl::Kind::position;
@@ -128,7 +132,7 @@ class MotionRun : public FamilyRun<MotionResult> {
     const motion::Motion coarse = moved(design, task, nullptr);
     if (one.motion.status != "ok" || coarse.status != "ok") return;  // nothing to compare
     one.step_error = step_error(one.motion.samples, coarse.samples);
-    const auto measures = measured(asked_.measure, coarse, last_on);
+    const auto measures = measured(asked_.measure, coarse, {last_on, reference_at(last_on)});
     for (std::size_t i = 0; i < measures.size(); ++i)
       one.measures[i].step_error = std::abs(one.measures[i].value - measures[i].value);
   }
