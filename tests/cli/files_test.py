@@ -111,6 +111,17 @@ class Check(program.Case):
                       self.refused("check", RING, "--set", "neutral_plane_dist=1 mm"))
 
 
+    def test_a_frequency_study_beyond_the_resonance_of_a_coil_is_refused_before_it_runs(self):
+        # 1.3 mH and 8.5 nF resonate at 47.9 kHz.
+        text = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        self.write("coil.yaml", text.replace("  contact_layer:", "  driver: {inductance: 1.3 mH}\n  contact_layer:", 1))
+        text = "twum: 1\nmotor: coil.yaml\nstudy: {kind: frequency, from: 38 kHz, to: %s}\n"
+        self.assertEqual(program.twum("check", self.write("f.yaml", text % "43 kHz")).returncode, 0)
+        study = self.write("f.yaml", text % "52 kHz")
+        message = self.refused("check", study)
+        self.assertIn("f.yaml:3:", message)
+        self.assertIn("must end at", message)
+
     def test_every_wrong_study_is_refused_with_its_place(self):
         folder = ROOT / "tests/data/study_errors"
         for file in sorted(folder.glob("*.yaml")):

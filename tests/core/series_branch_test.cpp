@@ -340,6 +340,11 @@ TEST_CASE("a frequency response behind a coil has the waves of the motor at each
   CHECK_THROWS_WITH(FrequencyResponse(design, {Argument::speed, 3}, std::pair{37e3, 47e3}),
                     Catch::Matchers::Contains("driver_inductance resonates") &&
                         Catch::Matchers::Contains("must end at"));
+  // The same without computing it, with one end or both.
+  CHECK_THROWS_WITH(FrequencyResponse::check(design, {}, 47e3),
+                    Catch::Matchers::Contains("must end at"));
+  CHECK_NOTHROW(FrequencyResponse::check(design, 37e3, 43.5e3));
+  CHECK_NOTHROW(FrequencyResponse::check(design, {}, {}));
   const FrequencyResponse own(design, {Argument::speed, 3});
   CHECK(own.to() < 45e3);
 }

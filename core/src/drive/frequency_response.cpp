@@ -35,6 +35,19 @@ void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
   if (!std::isfinite(load.value)) throw InputError("the load must be a finite number");
 }
 
+// Frequencies in [rad/s]; the bounds are those of DrivenWaves::own_side().
+void require_one_resonance(const std::pair<double, double>& bounds, double from, double to) {
+  if (from >= bounds.first && to <= bounds.second) return;
+  const auto hertz = [](double omega) {
+    return std::to_string(std::lround(omega / kTurnOfResponse)) + " Hz";
+  };
+  throw InputError("driver_inductance resonates with blocked_capacitance: a frequency response " +
+                   (bounds.first > 0 ? "must begin at " + hertz(bounds.first) + " or above"
+                                     : "must end at " + hertz(bounds.second) + " or below") +
+                   (from < to ? ", but its range is " + hertz(from) + " to " + hertz(to)
+                              : ", but the drive is at " + hertz(to) + "; give a range"));
+}
+
 // Upper bound of the resonances: a stator with full contact that sticks all round.
 double highest_resonance(const core::DrivenWaves& waves) {
   const auto& m = waves.modes();
@@ -69,11 +82,11 @@ struct FrequencyResponse::Content {
         path(waves, load, lowest(range), highest(range)) {
     if (range) {
       from = kTurnOfResponse * range->first, to = kTurnOfResponse * range->second;
-      require_one_resonance();
+      require_one_resonance(bounds, from, to);
       return;
     }
     from = to = waves.omega();
-    require_one_resonance();
+    require_one_resonance(bounds, from, to);
     const auto include = [this](double omega) {
       from = std::fmin(from, omega), to = std::fmax(to, omega);
     };
@@ -86,17 +99,6 @@ struct FrequencyResponse::Content {
     from = std::fmax(from - margin, bounds.first), to = std::fmin(to + margin, bounds.second);
   }
 
-  void require_one_resonance() const {
-    if (from >= bounds.first && to <= bounds.second) return;
-    const auto hertz = [](double omega) {
-      return std::to_string(std::lround(omega / kTurnOfResponse)) + " Hz";
-    };
-    throw InputError("driver_inductance resonates with blocked_capacitance: a frequency response " +
-                     (bounds.first > 0 ? "must begin at " + hertz(bounds.first) + " or above"
-                                       : "must end at " + hertz(bounds.second) + " or below") +
-                     (from < to ? ", but its range is " + hertz(from) + " to " + hertz(to)
-                                : ", but the drive is at " + hertz(to) + "; give a range"));
-  }
   double lowest(const std::optional<std::pair<double, double>>& range) const {
     const double own = 0.9 * std::fmin(waves.resonance(), waves.omega());
     return std::fmax(range ? std::fmin(own, kTurnOfResponse * range->first) : own, bounds.first);
@@ -158,6 +160,15 @@ FrequencyResponse::FrequencyResponse(const MotorDesign& design, const RotorLoad&
   if (range && !(range->first > 0 && range->second > range->first && std::isfinite(range->second)))
     throw InputError("the range of a frequency response must rise from a positive frequency");
   content_ = std::make_unique<const Content>(design, load, range);
+}
+
+void FrequencyResponse::check(const MotorDesign& design, std::optional<double> from,
+                              std::optional<double> to) {
+  const core::DrivenWaves waves = core::Drive::waves_of(design);
+  const auto omega = [&](std::optional<double> end) {
+    return end ? kTurnOfResponse * *end : waves.omega();
+  };
+  require_one_resonance(waves.own_side(), omega(from), omega(to));
 }
 
 FrequencyResponse::~FrequencyResponse() = default;

@@ -9,6 +9,7 @@
 #include "entries/tolerance_shape.hpp"
 #include "yaml/yaml_text.hpp"
 
+#include <twum/core/frequency_response.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
 #include <twum/io/yaml_loader.hpp>
@@ -128,6 +129,13 @@ void check_drive(const Study& study, const MotorDesign& motor, const YamlNode& r
     diagnostics.add(node->mark, "study.family",
                     "a family over the amplitude, which follows from the frequency",
                     "expected another parameter, such as voltage or preload");
+  }
+  if (motor.stator.voltage && !family) {
+    try {
+      FrequencyResponse::check(motor, sweep->from, sweep->to);
+    } catch (const InputError& error) {
+      diagnostics.add(root.find("study")->mark, "study", error.what(), "");
+    }
   }
   if (motor.stator.voltage || (family && sweep->family->parameter == Parameter::voltage)) return;
   diagnostics.add(root.find("motor")->mark, "motor", "the amplitude of this motor is given",

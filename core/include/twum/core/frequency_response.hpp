@@ -71,6 +71,11 @@ class FrequencyResponse {
   ///         a range that is empty or has ends that are not positive.
   FrequencyResponse(const MotorDesign& design, const RotorLoad& load,
                     const std::optional<std::pair<double, double>>& range = {});
+  /// Whether there is a response of a valid design with a voltage, without computing it. An end that is not given counts as
+  /// the frequency of the drive.
+  /// @throws InputError if a resonance of driver_inductance with blocked_capacitance lies in the range
+  static void check(const MotorDesign& design, std::optional<double> from,
+                    std::optional<double> to);
   ~FrequencyResponse();
   /// An object that was moved from may only be destroyed or assigned to.
   /// @{
