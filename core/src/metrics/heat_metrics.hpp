@@ -32,7 +32,8 @@ std::optional<std::size_t> part_of(Metric metric);
 /// is found once.
 class HeatMetrics {
  public:
-  explicit HeatMetrics(const MotorDesign& design) : design_(design) {}
+  /// @param motor  has to outlive this
+  explicit HeatMetrics(const Motor& motor) : motor_(motor), design_(motor.design()) {}
 
   MetricValue evaluate(const MetricRequest& request);
   /// With exact derivatives in all parameters; thermal_gain_at has none.
@@ -51,6 +52,7 @@ class HeatMetrics {
     std::array<Gradient, 3> nodes;       // of those that parameters follow
   };
   const HeatNetwork& network();
+  const std::shared_ptr<WarmMotors>& motors();
   HeatProblem problem(const LoadPoint& load);
   const Known& known(const LoadPoint& load);
   /// Without a status beside ok. @throws SearchFailure
@@ -138,7 +140,9 @@ class HeatMetrics {
   double start_temperature();
   MetricDerivative of_start(const MetricValue& value, bool fixed);
 
+  const Motor& motor_;
   const MotorDesign& design_;
+  std::shared_ptr<WarmMotors> motors_;
   std::optional<HeatNetwork> network_;
   std::list<Known> known_;  // references stay valid
   std::optional<Operation> operation_;
