@@ -2,9 +2,11 @@
 #pragma once
 
 #include "metrics/heat_course.hpp"
+#include "metrics/heat_sensitivity.hpp"
 
 #include <functional>
 #include <list>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -107,6 +109,7 @@ class HeatMetrics {
     HeatCourse::Lap lap;
   };
   const Operation& operation();
+  CourseSensitivity& sensitivity(bool fixed);
   NodeTemperatures mean_nodes();
   std::array<Gradient, 3> mean_moves(bool fixed);
   double peak(std::size_t part);
@@ -146,6 +149,7 @@ class HeatMetrics {
   std::optional<HeatNetwork> network_;
   std::list<Known> known_;  // references stay valid
   std::optional<Operation> operation_;
+  std::unique_ptr<CourseSensitivity> sensitivity_;  // of the operation
 };
 
 }  // namespace twum::core
