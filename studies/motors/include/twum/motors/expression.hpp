@@ -51,6 +51,9 @@ struct MetricExpression {
   bool has_derivatives() const;
 };
 
+/// True for a metric or a parameter alone that is an absolute temperature, which people read in degC.
+bool is_absolute(const MetricExpression& expression);
+
 /// The expression for a single parameter.
 MetricExpression expression_of(Parameter parameter);
 /// The expression for a program's own metric, for a DesignProblem or an ExpressionEvaluator. Studies refuse it, because they are
