@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSettled =
     1e-5;  // a step of Newton's method; the next would be its square times the bend, 1e-13 K
+constexpr double kNoStep = 1e-9;  // [K] of no account
 constexpr int kMostSteps = 20;
 constexpr double kFarApart = 5;       // [K] a steady state so far from the warm-up is another one
 constexpr double kMarchError = 0.01;  // of a step of the warm-up [K]
@@ -23,6 +24,10 @@ Vector3 times(const std::array<Vector3, kSources>& slope, const Sources<double>&
   Vector3 sum{};
   for (std::size_t k = 0; k < kSources; ++k) sum = plus(sum, row[k], slope[k]);
   return sum;
+}
+
+HeatState state_of(const NodeTemperatures& x, const WarmLosses& losses) {
+  return {losses.status, x, losses.p, losses.slope, {}, 0, kIdentity3, {}, losses.wave};
 }
 
 // The eigenvalue farthest from zero.
@@ -68,29 +73,41 @@ Vector3 HeatSolver::newton_step(const HeatState& at) const {
 }
 
 HeatState HeatSolver::with_losses(const NodeTemperatures& x) const {
-  const WarmLosses losses = problem_.losses(x);
-  return {losses.status, x, losses.p, losses.slope, {}, 0, kIdentity3, {}};
+  return state_of(x, problem_.losses(x));
 }
 
-// x and p move on by the step, p along its derivatives; theta = K^-1 B p.
-SteadyState HeatSolver::near(const NodeTemperatures& start) const {
-  NodeTemperatures x = start;
+HeatState HeatSolver::with_losses_after(const NodeTemperatures& x, const HeatState* known) const {
+  if (known && known->wave)
+    if (const auto losses = problem_.followed(x, *known->wave)) return state_of(x, *losses);
+  return with_losses(x);
+}
+
+// x and p move on by the step, p along its derivatives.
+HeatState HeatSolver::newton(NodeTemperatures x, const HeatState* known) const {
+  HeatState state;
   for (int i = 0; i < kMostSteps; ++i) {
-    HeatState state = with_losses(x);
-    if (state.status != MetricStatus::ok) return {state, 0, 0, 0};
+    state = with_losses_after(x, known);
+    if (state.status != MetricStatus::ok) return state;
     const Vector3 step = newton_step(state);
     if (!is_finite(step)) break;
+    if (largest(step) <= kNoStep) return state;
     x = plus(x, 1, step);
+    if (known) known = &state;
     if (largest(step) > kSettled) continue;
     state.x = x;
     for (std::size_t k = 0; k < kSources; ++k) state.p[k] += dot(state.slope[k], step);
-    return judged(state);
+    return state;
   }
-  SteadyState none;
-  none.state.status = MetricStatus::no_steady_temperature;
-  return none;
+  state.status = MetricStatus::no_steady_temperature;
+  return state;
 }
 
+SteadyState HeatSolver::near(const NodeTemperatures& start) const {
+  const HeatState found = newton(start, nullptr);
+  return found.status == MetricStatus::ok ? judged(found) : SteadyState{found, 0, 0, 0};
+}
+
+// theta = K^-1 B p
 SteadyState HeatSolver::judged(HeatState state) const {
   Vector3 heat;
   for (std::size_t i = 0; i < kMasses; ++i) heat[i] = dot(matrices_.B[i], state.p);
@@ -105,7 +122,10 @@ SteadyState HeatSolver::judged(HeatState state) const {
 SteadyState HeatSolver::from_cold() const {
   const HeatState cold = with_losses(ambient_nodes());
   if (cold.status != MetricStatus::ok) return {cold, 0, 0, 0};
-  const SteadyState found = near(plus(cold.x, 1, newton_step(cold)));
+  const NodeTemperatures first = plus(cold.x, 1, newton_step(cold));
+  const HeatState guess = cold.wave ? newton(first, &cold) : HeatState{MetricStatus::undefined};
+  // The wave that was followed is that of the motor if a search confirms it.
+  const SteadyState found = near(guess.status == MetricStatus::ok ? guess.x : first);
   if (found.ok() && leads_there(cold, found)) return found;
   return marched();
 }

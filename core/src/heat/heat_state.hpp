@@ -14,19 +14,30 @@ namespace twum::core {
 /// Parts whose temperatures parameters follow, in the order of ThermalNode.
 inline constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
 
+/// The wave of a motor under a voltage where it carries its load, from which that at other temperatures is found.
+struct LoadWave {
+  double amplitude{0};  ///< [m]
+  double speed{0};      ///< of the rotor [rad/s]
+};
+
 /// Losses of a motor at temperatures of its nodes, and their derivatives by these.
 struct WarmLosses {
   MetricStatus status{MetricStatus::ok};
   Sources<double> p{};                    ///< [W]
   std::array<Vector3, kSources> slope{};  ///< p_x [W/K]
+  std::optional<LoadWave> wave{};         ///< where it can be followed
 };
 using LossesAt = std::function<WarmLosses(const NodeTemperatures& x)>;
+/// The same from a wave that is known at other temperatures. Nothing where it cannot be followed there.
+using LossesNear =
+    std::function<std::optional<WarmLosses>(const NodeTemperatures& x, const LoadWave& near)>;
 
 /// A network at an ambient temperature, with losses that follow the temperatures.
 struct HeatProblem {
   HeatNetwork network;
   double ambient;
   LossesAt losses;
+  LossesNear followed{};  ///< a quicker way; may be empty
 };
 
 /// A state of the masses with the losses there.
@@ -39,6 +50,7 @@ struct HeatState {
   double time{0};                         ///< since the motor was cold, of a state on its way [s]
   Matrix3 moved{kIdentity3};  ///< how theta moves with that at the beginning of followed()
   Sources<double> heat{};     ///< integral of p since then [J]
+  std::optional<LoadWave> wave{};
 };
 
 /// A fixed point of (H3.2) with what says whether the motor stays there.
@@ -108,6 +120,11 @@ class HeatSolver {
   /// One step (I - Phi_x)^-1 (Phi(x) - x).
   Vector3 newton_step(const HeatState& at) const;
   HeatState with_losses(const NodeTemperatures& x) const;
+  /// The same from the wave of a state that is known, where it can be followed.
+  HeatState with_losses_after(const NodeTemperatures& x, const HeatState* known) const;
+  /// Newton's method; its status says why it found nothing.
+  /// @param known  a state from which waves are followed; null: each is searched anew
+  HeatState newton(NodeTemperatures x, const HeatState* known) const;
   bool leads_there(const HeatState& cold, const SteadyState& found) const;
   SteadyState judged(HeatState state) const;
   SteadyState marched() const;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/differentiator.hpp"
-#include "metrics/motor_parts.hpp"
 
 #include "metrics/motor_curve.hpp"
 
@@ -51,10 +50,11 @@ DesignDual zero_of(const DesignDual& f, double speed) {
   return moving;
 }
 
-DrivenMotor<ModelDual> moving_motor(const Motor& motor) {
-  const DrivenMotor<double>& m = MotorParts::model(motor);
-  return MotorParts::drive(motor) ? differentiated_motor(motor.design(), m.mean.amplitude, m.track)
-                                  : differentiated_motor<ModelDual>(motor.design(), m.track);
+DrivenMotor<ModelDual> moving_motor(const Evaluator& values) {
+  const MotorDesign& design = values.motor().design();
+  const DrivenMotor<double>& m = values.first_motor();
+  return values.has_drive() ? differentiated_motor(design, m.mean.amplitude, m.track)
+                            : differentiated_motor<ModelDual>(design, m.track);
 }
 
 }  // namespace
@@ -73,8 +73,16 @@ Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, dou
 Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     : design_(motor.design()),
       values_(motor),
-      m_(MotorParts::model(motor)),
-      model_(moving_motor(motor)),
+      m_(values_.first_motor()),
+      model_(moving_motor(values_)),
+      slopes_(direction_slopes(design_, fixed_static_friction)) {}
+
+Differentiator::Differentiator(const Motor& motor, std::unique_ptr<const FollowedCurve> known,
+                               bool fixed_static_friction)
+    : design_(motor.design()),
+      values_(motor, std::move(known)),
+      m_(values_.first_motor()),
+      model_(moving_motor(values_)),
       slopes_(direction_slopes(design_, fixed_static_friction)) {}
 
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
@@ -108,6 +116,13 @@ MetricDerivative Differentiator::answered(const MetricValue& value, Ask ask) {
 
 MetricDerivative Differentiator::differentiate(const MetricRequest& request) {
   return answered(values_.evaluate(request), [&] { return metric_row(*this, request); });
+}
+
+MetricDerivative Differentiator::differentiate_at(Metric metric, double speed,
+                                                  std::optional<double> torque) {
+  return answered(values_.evaluate_at(metric, speed), [&] {
+    return at(metric, torque ? falling_through(speed, fixed(*torque)) : fixed(speed));
+  });
 }
 
 MetricDerivative Differentiator::differentiate_at_share(Metric metric, double share) {
@@ -172,8 +187,7 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
     dual_places_.emplace(speed, duals_.size());
     return duals_.emplace_back(std::move(moving));
   };
-  if (!MotorParts::drive(values_.motor()))
-    return kept({&model_, point.differentiated(model_, omega), {}});
+  if (!values_.has_drive()) return kept({&model_, point.differentiated(model_, omega), {}});
   const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
       differentiated_motor(design_, values_.motor_at(speed).mean.amplitude, m_.track));
   const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
@@ -181,7 +195,7 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
 }
 
 DesignDual Differentiator::held(const ModelDual& dual, double speed) {
-  if (!MotorParts::drive(values_.motor())) return widened(dual);
+  if (!values_.has_drive()) return widened(dual);
   return moving(speed).wave->of(widened(dual));
 }
 
@@ -290,13 +304,16 @@ Derived Differentiator::crossing(const Crossing& crossing, const Derived& load) 
   const bool on_plateau =
       end > 0 && crossing.speed == end && torque <= search().stall_torque() * (1 + 1e-12);
   if (on_plateau) return plateau().at_kink();
-  const DesignDual speed(crossing.speed);
-  if (crossing.slopeless) return {speed, Smoothness::undefined};
-  const bool at_rest = crossing.speed == 0;
-  if (at_rest && torque == 0) return {speed, Smoothness::one_sided};
-  const DesignDual t = held(moving(crossing.speed).numbers.torque, crossing.speed) - load.dual;
-  if (at_rest && !(t.d[kSpeedDirection] < 0)) return {speed, Smoothness::undefined};
-  const Derived found{zero_of(t, crossing.speed), worse(load.smoothness, of_point(crossing.speed))};
+  if (crossing.slopeless) return {DesignDual(crossing.speed), Smoothness::undefined};
+  return falling_through(crossing.speed, load);
+}
+
+Derived Differentiator::falling_through(double speed, const Derived& load) {
+  const bool at_rest = speed == 0;
+  if (at_rest && value_of(load.dual) == 0) return {DesignDual(speed), Smoothness::one_sided};
+  const DesignDual t = held(moving(speed).numbers.torque, speed) - load.dual;
+  if (at_rest && !(t.d[kSpeedDirection] < 0)) return {DesignDual(speed), Smoothness::undefined};
+  const Derived found{zero_of(t, speed), worse(load.smoothness, of_point(speed))};
   return at_rest ? found.at_kink() : found;  // a load beyond the largest torque is not carried
 }
 
@@ -320,7 +337,7 @@ Derived Differentiator::speed_of_peak(Metric metric, const Peak& peak) {
 
 // A metric with its derivatives and theirs along the curve.
 DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
-  const bool driven = MotorParts::drive(values_.motor()) != nullptr;
+  const bool driven = values_.has_drive();
   if (driven) {
     contact::SpeedDual amplitude(values_.motor_at(speed).mean.amplitude);
     amplitude.d[0] = moving(speed).wave->in_speed();

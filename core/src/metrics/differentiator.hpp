@@ -34,8 +34,13 @@ class Differentiator {
   using Number = Derived;
 
   Differentiator(const Motor& motor, bool fixed_static_friction);
+  /// Of a motor under a voltage at the one point that is known.
+  Differentiator(const Motor& motor, std::unique_ptr<const FollowedCurve> known,
+                 bool fixed_static_friction);
 
   MetricDerivative differentiate(const MetricRequest& request);
+  /// A point metric at a speed, which stays, or where the curve falls through a torque, which stays.
+  MetricDerivative differentiate_at(Metric metric, double speed, std::optional<double> torque);
   /// At a load of a share of the largest torque, which moves with the design.
   MetricDerivative differentiate_at_share(Metric metric, double share);
   /// T_p, the torque of a contact that slips all through (T7.8).
@@ -98,6 +103,7 @@ class Differentiator {
   template <typename Ask>
   MetricDerivative answered(const MetricValue& value, Ask ask);
   std::array<double, kParameterCount> in_parameters(const DesignDual& dual) const;
+  Derived falling_through(double speed, const Derived& load);
   Derived sized(const ModelDual& dual);
   Smoothness of_contact_angle(const DrivenMotor<double>& motor) const;
   Smoothness of_normal_contact(const DrivenMotor<double>& motor) const;

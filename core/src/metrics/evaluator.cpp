@@ -21,7 +21,14 @@ std::unique_ptr<const Curve> curve_of(const Motor& motor) {
 }  // namespace
 
 Evaluator::Evaluator(const Motor& motor)
-    : motor_(motor), m_(MotorParts::model(motor)), curve_(curve_of(motor)), search_(*curve_) {}
+    : motor_(motor), curve_(curve_of(motor)), m_(curve_->motor()), search_(*curve_) {}
+
+Evaluator::Evaluator(const Motor& motor, std::unique_ptr<const FollowedCurve> known)
+    : motor_(motor), curve_(std::move(known)), m_(curve_->motor()), search_(*curve_) {
+  const MotorPoint& point = static_cast<const FollowedCurve&>(*curve_).found();
+  places_.emplace(curve_->begin(), points_.size());
+  points_.push_back({&point.motor, point.solved});
+}
 
 const StatorModes<double>& Evaluator::modes() const {
   if (!MotorParts::modes(motor_)) throw SearchFailure{MetricStatus::undefined};
@@ -79,10 +86,11 @@ bool Evaluator::has_meaning(Metric metric) const {
   return !of_stator || curve_->has_input();
 }
 
-MetricValue Evaluator::evaluate(const MetricRequest& request) {
-  if (!has_meaning(request.metric)) return {kNoValue, MetricStatus::undefined};
+template <typename Find>
+MetricValue Evaluator::found(Metric metric, Find find) {
+  if (!has_meaning(metric)) return {kNoValue, MetricStatus::undefined};
   try {
-    const double found = metric_row(*this, request);
+    const double found = find();
     return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
                                 : MetricValue{kNoValue, MetricStatus::inaccurate};
   } catch (const SearchFailure& failure) {
@@ -90,6 +98,14 @@ MetricValue Evaluator::evaluate(const MetricRequest& request) {
   } catch (const EvaluationError&) {  // a search without a bracket
     return {kNoValue, MetricStatus::unresolved};
   }
+}
+
+MetricValue Evaluator::evaluate(const MetricRequest& request) {
+  return found(request.metric, [&] { return metric_row(*this, request); });
+}
+
+MetricValue Evaluator::evaluate_at(Metric metric, double speed) {
+  return found(metric, [&] { return at(metric, speed); });
 }
 
 MetricValue Evaluator::evaluate_at_share(Metric metric, double share) {
@@ -133,7 +149,7 @@ const Evaluator::Known& Evaluator::known(double speed) {
   if (const auto kept = places_.find(speed); kept != places_.end()) return points_[kept->second];
   const DrivenMotor<double>* motor = &m_;
   SolvedPoint solved;
-  if (MotorParts::drive(motor_)) {
+  if (has_drive()) {
     MotorPoint at = MotorParts::drive(motor_)->at(speed);
     motor = &motors_.emplace_back(at.motor);
     solved = at.solved;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drive/thresholds.hpp"
+#include "metrics/followed_wave.hpp"
 #include "metrics/metric_rows.hpp"
 
 #include <deque>
@@ -19,8 +20,12 @@ class Evaluator {
   using Number = double;
 
   explicit Evaluator(const Motor& motor);
+  /// Of a motor under a voltage at the one point that is known.
+  Evaluator(const Motor& motor, std::unique_ptr<const FollowedCurve> known);
 
   MetricValue evaluate(const MetricRequest& request);
+  /// A point metric at a speed.
+  MetricValue evaluate_at(Metric metric, double speed);
   /// At a load of a share of the largest torque; `unreachable` if the motor has no torque.
   MetricValue evaluate_at_share(Metric metric, double share);
 
@@ -69,6 +74,8 @@ class Evaluator {
   CurveSearch& search() { return search_; }
 
   const Motor& motor() const { return motor_; }
+  bool has_drive() const { return motor_.design().stator.voltage.has_value(); }
+  const DrivenMotor<double>& first_motor() const { return m_; }
   /// The point at a speed. @throws SearchFailure if it has no answer
   const SolvedPoint& point(double speed) { return known(speed).solved; }
   /// The motor under the wave at a speed.
@@ -92,12 +99,14 @@ class Evaluator {
   };
 
   bool has_meaning(Metric metric) const;
+  template <typename Find>
+  MetricValue found(Metric metric, Find find);
   void require_input(Metric metric, double speed);
   const Known& known(double speed);
 
   const Motor& motor_;
-  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
   std::unique_ptr<const Curve> curve_;
+  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
   CurveSearch search_;
   std::optional<Thresholds> thresholds_;
   // References stay valid.

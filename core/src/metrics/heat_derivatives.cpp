@@ -29,7 +29,7 @@ void add(Gradient& to, double factor, const Gradient& more) {
 std::optional<HeatMetrics::Rows> HeatMetrics::at_fixed_nodes(const Known& at, bool fixed) {
   const HeatSolver solver(problem(at.load));
   const NodeTemperatures& x = at.steady.state.x;
-  const auto of_warm = LoadLosses(design_, at.load).gradients(x, fixed);
+  const auto of_warm = LoadLosses(design_, at.load, motors()).gradients(x, fixed);
   if (!of_warm) return {};
   const DriftRule rule(design_, fixed);
   const HeatState& state = at.steady.state;
@@ -99,7 +99,7 @@ MetricDerivative HeatMetrics::of_warm(const MetricRequest& request, const Metric
   const NodeTemperatures x = nodes(*request.warm_at);
   MetricRequest plain = request;
   plain.warm_at.reset();
-  MetricDerivative result = twum::differentiate(Motor(*at_temperatures(design_, x)), plain, fixed);
+  MetricDerivative result = twum::differentiate(*motors()->at(x), plain, fixed);
   const auto moved = node_moves(*request.warm_at, fixed);
   if (result.smoothness == Smoothness::undefined || !moved) return no_derivative(value);
   const DriftRule rule(design_, fixed);

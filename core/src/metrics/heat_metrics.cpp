@@ -36,10 +36,13 @@ const HeatNetwork& HeatMetrics::network() {
   return *network_;
 }
 
+const std::shared_ptr<WarmMotors>& HeatMetrics::motors() {
+  if (!motors_) motors_ = std::make_shared<WarmMotors>(motor_);
+  return motors_;
+}
+
 HeatProblem HeatMetrics::problem(const LoadPoint& load) {
-  const LoadLosses losses(design_, load);
-  return {network(), design_.thermal->ambient,
-          [losses](const NodeTemperatures& x) { return losses.at(x); }};
+  return heat_problem(design_, network(), load, motors());
 }
 
 const HeatMetrics::Known& HeatMetrics::known(const LoadPoint& load) {
@@ -78,9 +81,9 @@ double HeatMetrics::value(const MetricRequest& request) {
   if (request.warm_at) {
     MetricRequest plain = request;
     plain.warm_at.reset();
-    const auto warm = at_temperatures(design_, nodes(*request.warm_at));
+    const auto warm = motors()->at(nodes(*request.warm_at));
     if (!warm) throw SearchFailure{MetricStatus::temperature_out_of_range};
-    const MetricValue found = twum::evaluate(Motor(*warm), plain);
+    const MetricValue found = twum::evaluate(*warm, plain);
     if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
     return found.value;
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "metrics/heat_course.hpp"
+#include "metrics/heat_sensitivity.hpp"
 
 #include <functional>
 #include <list>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -32,7 +34,8 @@ std::optional<std::size_t> part_of(Metric metric);
 /// is found once.
 class HeatMetrics {
  public:
-  explicit HeatMetrics(const MotorDesign& design) : design_(design) {}
+  /// @param motor  has to outlive this
+  explicit HeatMetrics(const Motor& motor) : motor_(motor), design_(motor.design()) {}
 
   MetricValue evaluate(const MetricRequest& request);
   /// With exact derivatives in all parameters; thermal_gain_at has none.
@@ -51,6 +54,7 @@ class HeatMetrics {
     std::array<Gradient, 3> nodes;       // of those that parameters follow
   };
   const HeatNetwork& network();
+  const std::shared_ptr<WarmMotors>& motors();
   HeatProblem problem(const LoadPoint& load);
   const Known& known(const LoadPoint& load);
   /// Without a status beside ok. @throws SearchFailure
@@ -105,6 +109,7 @@ class HeatMetrics {
     HeatCourse::Lap lap;
   };
   const Operation& operation();
+  CourseSensitivity& sensitivity(bool fixed);
   NodeTemperatures mean_nodes();
   std::array<Gradient, 3> mean_moves(bool fixed);
   double peak(std::size_t part);
@@ -138,10 +143,13 @@ class HeatMetrics {
   double start_temperature();
   MetricDerivative of_start(const MetricValue& value, bool fixed);
 
+  const Motor& motor_;
   const MotorDesign& design_;
+  std::shared_ptr<WarmMotors> motors_;
   std::optional<HeatNetwork> network_;
   std::list<Known> known_;  // references stay valid
   std::optional<Operation> operation_;
+  std::unique_ptr<CourseSensitivity> sensitivity_;  // of the operation
 };
 
 }  // namespace twum::core

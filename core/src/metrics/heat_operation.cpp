@@ -3,7 +3,6 @@
 #include "metrics/heat_metrics.hpp"
 
 #include "curve/curve.hpp"
-#include "metrics/heat_sensitivity.hpp"
 
 #include <twum/base/scalar_search.hpp>
 
@@ -47,13 +46,20 @@ const HeatMetrics::Operation& HeatMetrics::operation() {
   return *operation_;
 }
 
+CourseSensitivity& HeatMetrics::sensitivity(bool fixed) {
+  if (!sensitivity_ || sensitivity_->is_with_fixed_static_friction() != fixed)
+    sensitivity_ =
+        std::make_unique<CourseSensitivity>(design_, operation().course, operation().lap, fixed);
+  return *sensitivity_;
+}
+
 NodeTemperatures HeatMetrics::mean_nodes() {
   const PartValues<double> mean = operation().course.mean(operation().lap);
   return {mean[kNodeParts[0]], mean[kNodeParts[1]], mean[kNodeParts[2]]};
 }
 
 std::array<Gradient, 3> HeatMetrics::mean_moves(bool fixed) {
-  const auto moved = CourseSensitivity(design_, operation().course, fixed).of_mean(operation().lap);
+  const auto moved = sensitivity(fixed).of_mean();
   return {moved[kNodeParts[0]], moved[kNodeParts[1]], moved[kNodeParts[2]]};
 }
 
@@ -65,8 +71,7 @@ double HeatMetrics::peak(std::size_t part) {
 // At a peak within a phase the temperature does not move with the time, and phases end at given times (envelope theorem).
 MetricDerivative HeatMetrics::of_peak(std::size_t part, const MetricValue& value, bool fixed) {
   const Operation& now = operation();
-  const auto moved = CourseSensitivity(design_, now.course, fixed)
-                         .in_cycle(now.lap, now.course.peak(now.lap, part));
+  const auto moved = sensitivity(fixed).in_cycle(now.course.peak(now.lap, part));
   return derivative(value, moved[part], 1);
 }
 
@@ -93,7 +98,7 @@ MetricDerivative HeatMetrics::of_on_time(const LoadPoint& load, const MetricValu
   const OnTime at = on_time(load);
   const double rate = at.course.phases().front().solver.part_rates(at.moment.state)[at.part];
   if (!(at.moment.time > 0) || !(rate > 0)) return no_derivative(value);
-  Gradient g = CourseSensitivity(design_, at.course, fixed).from_cold(at.lap, at.moment)[at.part];
+  Gradient g = CourseSensitivity(design_, at.course, at.lap, fixed).from_cold(at.moment)[at.part];
   g[index_of(kTemperatureLimits[at.part])] -= 1;
   return derivative(value, g, -1 / rate);
 }
@@ -155,8 +160,8 @@ MetricDerivative HeatMetrics::of_duty_limit(const LoadPoint& load, const MetricV
   const double s = found.share, h = 1e-2 * std::min(s, 1 - s);
   const auto f = [&](double by) { return shared(load, s + by).margin; };
   const double slope = (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
-  Gradient g = CourseSensitivity(design_, found.at->course, fixed)
-                   .in_cycle(found.at->lap, found.at->moment)[found.at->part];
+  Gradient g = CourseSensitivity(design_, found.at->course, found.at->lap, fixed)
+                   .in_cycle(found.at->moment)[found.at->part];
   g[index_of(kTemperatureLimits[found.at->part])] -= 1;
   return derivative(value, g, 1 / slope);
 }

@@ -24,12 +24,16 @@ Vector3 column_of(const std::array<std::array<double, kParameterCount + kMasses>
 }  // namespace
 
 CourseSensitivity::CourseSensitivity(const MotorDesign& design, const HeatCourse& course,
-                                     bool fixed_static_friction)
+                                     const HeatCourse::Lap& lap, bool fixed_static_friction)
     : design_(design),
       course_(course),
+      lap_(lap),
       fixed_(fixed_static_friction),
       numbers_(network_numbers(design, network_of(design), fixed_static_friction)),
-      still_(course.phases().front().solver.matrices()) {}
+      still_(course.phases().front().solver.matrices()),
+      ends_(1) {
+  for (std::size_t i = 0; i < kMasses; ++i) ends_[0].theta[i][kParameterCount + i] = 1;
+}
 
 // Derivatives of the losses at temperatures of the nodes that stay.
 std::array<CourseSensitivity::Column, kSources> CourseSensitivity::losses(std::size_t phase,
@@ -147,24 +151,21 @@ CourseSensitivity::Moves CourseSensitivity::through(std::size_t phase, const Hea
   return moves;
 }
 
-CourseSensitivity::Moves CourseSensitivity::to(const HeatCourse::Lap& lap, std::size_t phases) {
-  Moves moves;
-  for (std::size_t i = 0; i < kMasses; ++i) moves.theta[i][kParameterCount + i] = 1;
-  for (std::size_t i = 0; i < phases; ++i)
-    moves = through(i, lap[i].front(), course_.phases()[i].time, moves);
-  return moves;
+const CourseSensitivity::Moves& CourseSensitivity::to(std::size_t phases) {
+  for (std::size_t i = ends_.size() - 1; i < phases; ++i)
+    ends_.push_back(through(i, lap_[i].front(), course_.phases()[i].time, ends_[i]));
+  return ends_[phases];
 }
 
-CourseSensitivity::Moves CourseSensitivity::to(const HeatCourse::Lap& lap,
-                                               const HeatCourse::Moment& moment) {
-  const Moves before = to(lap, moment.phase);
-  const HeatState& begin = lap[moment.phase].front();
-  return through(moment.phase, begin, moment.time - begin.time, before);
+CourseSensitivity::Moves CourseSensitivity::to(const HeatCourse::Moment& moment) {
+  const HeatState &begin = lap_[moment.phase].front(), &end = lap_[moment.phase].back();
+  if (moment.time == end.time) return to(moment.phase + 1);
+  return through(moment.phase, begin, moment.time - begin.time, to(moment.phase));
 }
 
 // The lap returns: S_0 = E S_0 + S, with E the columns of the masses.
-CourseSensitivity::Moves CourseSensitivity::returning(const HeatCourse::Lap& lap) {
-  const Moves whole = to(lap, lap.size());
+CourseSensitivity::Moves CourseSensitivity::returning() {
+  const Moves& whole = to(lap_.size());
   Matrix3 left = kIdentity3;
   for (std::size_t i = 0; i < kMasses; ++i)
     for (std::size_t j = 0; j < kMasses; ++j) left[i][j] -= whole.theta[i][kParameterCount + j];
@@ -213,26 +214,24 @@ std::array<Gradient, kMasses> gradients_of(
 
 }  // namespace
 
-std::array<Gradient, kParts> CourseSensitivity::from_cold(const HeatCourse::Lap& lap,
-                                                          const HeatCourse::Moment& moment) {
-  return parts(moment, to(lap, moment));
+std::array<Gradient, kParts> CourseSensitivity::from_cold(const HeatCourse::Moment& moment) {
+  return parts(moment, to(moment));
 }
 
-std::array<Gradient, kParts> CourseSensitivity::in_cycle(const HeatCourse::Lap& lap,
-                                                         const HeatCourse::Moment& moment) {
-  Moves moves = to(lap, moment);
-  begin_with(gradients_of(returning(lap).theta), moves);
+std::array<Gradient, kParts> CourseSensitivity::in_cycle(const HeatCourse::Moment& moment) {
+  Moves moves = to(moment);
+  begin_with(gradients_of(returning().theta), moves);
   return parts(moment, moves);
 }
 
 // K mean(theta) = B mean(p) (H5.2).
-std::array<Gradient, kParts> CourseSensitivity::of_mean(const HeatCourse::Lap& lap) {
-  Moves moves = to(lap, lap.size());
-  begin_with(gradients_of(returning(lap).theta), moves);
+std::array<Gradient, kParts> CourseSensitivity::of_mean() {
+  Moves moves = to(lap_.size());
+  begin_with(gradients_of(returning().theta), moves);
   Sources<double> heat{};
   double period = 0;
-  for (std::size_t i = 0; i < lap.size(); ++i) {
-    for (std::size_t k = 0; k < kSources; ++k) heat[k] += lap[i].back().heat[k];
+  for (std::size_t i = 0; i < lap_.size(); ++i) {
+    for (std::size_t k = 0; k < kSources; ++k) heat[k] += lap_[i].back().heat[k];
     period += course_.phases()[i].time;
   }
   for (double& one : heat) one /= period;

@@ -8,21 +8,21 @@
 
 namespace twum::core {
 
-/// How a course of temperatures moves with the parameters of the design (H6.4).
+/// How a course of temperatures moves with the parameters of the design (H6.4). A phase that several answers need is passed once.
 class CourseSensitivity {
  public:
-  CourseSensitivity(const MotorDesign& design, const HeatCourse& course,
+  /// @param course  with its lap has to outlive this
+  CourseSensitivity(const MotorDesign& design, const HeatCourse& course, const HeatCourse::Lap& lap,
                     bool fixed_static_friction);
 
+  bool is_with_fixed_static_friction() const { return fixed_; }
   /// Derivatives of the parts' temperatures at a moment of a lap that begins at ambient.
   /// @throws SearchFailure where the losses have no derivatives; likewise below
-  std::array<Gradient, kParts> from_cold(const HeatCourse::Lap& lap,
-                                         const HeatCourse::Moment& moment);
+  std::array<Gradient, kParts> from_cold(const HeatCourse::Moment& moment);
   /// Those of a lap that returns.
-  std::array<Gradient, kParts> in_cycle(const HeatCourse::Lap& lap,
-                                        const HeatCourse::Moment& moment);
+  std::array<Gradient, kParts> in_cycle(const HeatCourse::Moment& moment);
   /// Those of the mean temperatures of a lap that returns.
-  std::array<Gradient, kParts> of_mean(const HeatCourse::Lap& lap);
+  std::array<Gradient, kParts> of_mean();
 
  private:
   /// By every parameter, and by the three masses as the course begins.
@@ -50,17 +50,19 @@ class CourseSensitivity {
   Moves step(const Moves& from, const Local& a, const Local& middle, const Local& b,
              double h) const;
   Moves through(std::size_t phase, const HeatState& from, double duration, Moves moves);
-  Moves to(const HeatCourse::Lap& lap, std::size_t phases);
-  Moves to(const HeatCourse::Lap& lap, const HeatCourse::Moment& moment);
-  Moves returning(const HeatCourse::Lap& lap);
+  const Moves& to(std::size_t phases);
+  Moves to(const HeatCourse::Moment& moment);
+  Moves returning();
   std::array<Gradient, kParts> parts(const HeatCourse::Moment& moment, const Moves& moves);
   static void begin_with(const std::array<Gradient, kMasses>& start, Moves& moves);
 
   const MotorDesign& design_;
   const HeatCourse& course_;
+  const HeatCourse::Lap& lap_;
   bool fixed_;
   std::vector<NetworkNumber> numbers_;
   NetworkMatrices<double> still_;
+  std::vector<Moves> ends_;  // after so many phases
 };
 
 }  // namespace twum::core

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/held_metrics.hpp"
 
-#include "metrics/differentiator.hpp"
-#include "metrics/wave_rows.hpp"
 #include "point/slice_count.hpp"
 
 #include <twum/base/error.hpp>
@@ -110,6 +108,14 @@ const HeldMetrics::Known& HeldMetrics::known(double torque, double speed) {
   return known_.emplace_back(std::move(found));
 }
 
+HeldMetrics::Slopes& HeldMetrics::slopes(const Known& of, bool fixed) {
+  for (Slopes& one : slopes_)
+    if (one.of == &of && one.fixed == fixed) return one;
+  Slopes made{&of, fixed, std::make_unique<Differentiator>(*of.motor, fixed), {}};
+  made.rows = wave_rows(*made.numbers, *of.motor, of.speed, by_frequency(design_), fixed);
+  return slopes_.emplace_back(std::move(made));
+}
+
 Envelope::Corner HeldMetrics::corner(const MetricRequest& request) {
   const bool at_torque = request.metric == Metric::held_speed_limit_at;
   const Envelope::Corner found =
@@ -212,20 +218,23 @@ MetricDerivative HeldMetrics::of_largest_torque(bool fixed) {
 MetricDerivative HeldMetrics::of_wave(const MetricRequest& request, const MetricValue& value,
                                       bool fixed) {
   const Known& one = known(request.torque, request.at);
-  const bool follows = by_frequency(design_);
-  WaveRows rows = wave_rows(*one.motor, request.at, follows, fixed);
+  Slopes& known_slopes = slopes(one, fixed);
+  WaveRows rows = known_slopes.rows;
   if (rows.smoothness == Smoothness::undefined) return without_derivative(value);
-  if (const double nearest = envelope().with_wave(request.torque);
-      beyond_drive_ && nearest != request.torque)
+  const double nearest = beyond_drive_ ? envelope().with_wave(request.torque) : request.torque;
+  if (nearest != request.torque)
     rows.torque =
         less(rows.torque, of_largest_torque(fixed).gradient, nearest / envelope().largest_torque());
   const bool weak = one.held.status == HeldStatus::voltage_too_low;
-  const WaveSlopes slopes =
-      follows ? keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage))
-              : keeping(rows.torque);
-  const std::vector<MetricRequest> asked{{request.metric, Argument::speed, request.at}};
-  MetricDerivative result = twum::differentiate(*one.motor, asked, fixed).front();
-  result.gradient = slopes.along_wave({result.gradient, 0}).in;
+  const WaveSlopes wave =
+      by_frequency(design_)
+          ? keeping(rows.torque, weak ? rows.lag : keeps_file_voltage(rows.voltage))
+          : keeping(rows.torque);
+  const MetricRequest asked{request.metric, Argument::speed, request.at};
+  MetricDerivative result = info(request.metric).needs_motion
+                                ? twum::differentiate(*one.motor, asked, fixed)
+                                : known_slopes.numbers->differentiate(asked);
+  result.gradient = wave.along_wave({result.gradient, 0}).in;
   result.smoothness = std::max(result.smoothness, smoothness_of(rows));
   if (result.smoothness == Smoothness::flat) result.smoothness = Smoothness::smooth;
   return result;

@@ -3,11 +3,13 @@
 
 #include "held/envelope.hpp"
 #include "held/least_voltage.hpp"
+#include "metrics/differentiator.hpp"
 #include "metrics/wave_rows.hpp"
 
 #include <twum/core/metrics.hpp>
 
 #include <deque>
+#include <memory>
 #include <optional>
 
 namespace twum::core {
@@ -39,6 +41,14 @@ class HeldMetrics {
     std::optional<Motor> motor;
   };
   const Known& known(double torque, double speed);
+  /// Derivatives of a motor under its held wave.
+  struct Slopes {
+    const Known* of;
+    bool fixed;
+    std::unique_ptr<Differentiator> numbers;
+    WaveRows rows;
+  };
+  Slopes& slopes(const Known& of, bool fixed);
   const Envelope& envelope();
   double value(const MetricRequest& request);
   MetricDerivative of_wave(const MetricRequest& request, const MetricValue& value, bool fixed);
@@ -68,6 +78,7 @@ class HeldMetrics {
   };
   std::deque<Known> known_;       // references stay valid
   std::deque<KnownLeast> least_;  // likewise
+  std::deque<Slopes> slopes_;     // likewise
 };
 
 }  // namespace twum::core

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/load_losses.hpp"
 
-#include "curve/curve.hpp"
+#include "metrics/differentiator.hpp"
+#include "metrics/followed_wave.hpp"
 
 #include <twum/base/error.hpp>
 
@@ -15,6 +16,10 @@ using P = Parameter;
 
 bool is_known(const Gradient& gradient) {
   return std::all_of(gradient.begin(), gradient.end(), [](double d) { return std::isfinite(d); });
+}
+
+bool has_slopes(const MetricDerivative& found) {
+  return found.value.status == MetricStatus::ok && is_known(found.gradient);
 }
 
 }  // namespace
@@ -52,8 +57,14 @@ Vector3 DriftRule::by_temperatures(const Gradient& of_warm) const {
   return by;
 }
 
-LoadLosses::LoadLosses(const MotorDesign& design, const LoadPoint& load)
-    : design_(design), load_(load), rule_(design, false), drifts_(drifts(design)) {}
+LoadLosses::LoadLosses(const MotorDesign& design, const LoadPoint& load,
+                       std::shared_ptr<WarmMotors> motors)
+    : design_(design),
+      load_(load),
+      motors_(motors ? std::move(motors) : std::make_shared<WarmMotors>(Motor(design))),
+      rule_(design, false),
+      drifts_(drifts(design)),
+      follows_(drifts_ && follows_wave(design, load)) {}
 
 std::vector<MetricRequest> LoadLosses::requests() const {
   std::vector<MetricRequest> list{at_load(Metric::friction_power_at, load_),
@@ -63,9 +74,9 @@ std::vector<MetricRequest> LoadLosses::requests() const {
   return list;
 }
 
-WarmLosses LoadLosses::values(const MotorDesign& warm) const {
+WarmLosses LoadLosses::values(const Motor& warm) const {
   WarmLosses losses;
-  const auto found = evaluate(Motor(warm), requests());
+  const auto found = evaluate(warm, requests());
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (found[k].status != MetricStatus::ok) losses.status = found[k].status;
     losses.p[k] = found[k].value;
@@ -73,21 +84,62 @@ WarmLosses LoadLosses::values(const MotorDesign& warm) const {
   return losses;
 }
 
-WarmLosses LoadLosses::at(const NodeTemperatures& x) const {
-  const auto warm = at_temperatures(design_, x);
-  if (!warm) return {MetricStatus::temperature_out_of_range, {}, {}};
-  if (!drifts_) return values(*warm);
+// Of derivatives that are all known.
+WarmLosses LoadLosses::with_slopes(std::span<const MetricDerivative> found) const {
   WarmLosses losses;
-  const auto found = differentiate(Motor(*warm), requests());
-  bool smooth = true;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    if (found[k].value.status != MetricStatus::ok) return {found[k].value.status, {}, {}};
     losses.p[k] = found[k].value.value;
-    smooth = smooth && is_known(found[k].gradient);
     losses.slope[k] = rule_.by_temperatures(found[k].gradient);
   }
-  if (!smooth) losses.slope = differences(x);
   return losses;
+}
+
+WarmLosses LoadLosses::at(const NodeTemperatures& x) const {
+  const auto warm = motors_->at(x);
+  if (!warm) return {MetricStatus::temperature_out_of_range, {}, {}, {}};
+  if (!drifts_) return values(*warm);
+  std::vector<MetricRequest> asked = requests();
+  const std::size_t sources = asked.size();
+  const bool at_torque = load_.argument == Argument::torque;
+  if (follows_) asked.push_back(at_load(Metric::amplitude_at, load_));
+  if (follows_ && at_torque) asked.push_back(at_load(Metric::speed_at, load_));
+  const auto found = differentiate(*warm, asked);
+  for (const MetricDerivative& one : found)
+    if (one.value.status != MetricStatus::ok) return {one.value.status, {}, {}, {}};
+  const std::span of_losses(found.data(), sources);
+  WarmLosses losses = with_slopes(of_losses);
+  if (!std::ranges::all_of(of_losses, has_slopes)) losses.slope = differences(x);
+  const double speed = at_torque ? found.back().value.value : load_.at;
+  if (follows_ && speed > 0) losses.wave = {found[sources].value.value, speed};
+  return losses;
+}
+
+std::optional<WarmLosses> LoadLosses::near(const NodeTemperatures& x, const LoadWave& known) const {
+  const auto warm = at_temperatures(design_, x);
+  if (!warm) return {};
+  auto curve = FollowedCurve::from(*warm, load_, known);
+  if (!curve) return {};
+  const LoadWave wave{curve->motor().mean.amplitude, curve->speed()};
+  const Motor motor(*warm);
+  Differentiator numbers(motor, std::move(curve), false);
+  const bool at_torque = load_.argument == Argument::torque;
+  const auto torque = at_torque ? std::optional(load_.at) : std::nullopt;
+  std::vector<MetricDerivative> found;
+  for (const MetricRequest& one : requests())
+    found.push_back(numbers.differentiate_at(one.metric, wave.speed, torque));
+  if (!std::ranges::all_of(found, has_slopes)) return {};
+  WarmLosses losses = with_slopes(found);
+  losses.wave = wave;
+  return losses;
+}
+
+HeatProblem heat_problem(const MotorDesign& design, const HeatNetwork& network,
+                         const LoadPoint& load, std::shared_ptr<WarmMotors> motors) {
+  const LoadLosses losses(design, load, std::move(motors));
+  return {
+      network, design.thermal->ambient,
+      [losses](const NodeTemperatures& x) { return losses.at(x); },
+      [losses](const NodeTemperatures& x, const LoadWave& known) { return losses.near(x, known); }};
 }
 
 // Where a point has no derivative: central ones over 0.02 K.
@@ -99,7 +151,7 @@ std::array<Vector3, kSources> LoadLosses::differences(const NodeTemperatures& x)
     low[j] -= kStep, high[j] += kStep;
     const auto below = at_temperatures(design_, low), above = at_temperatures(design_, high);
     if (!below || !above) continue;
-    const WarmLosses a = values(*below), b = values(*above);
+    const WarmLosses a = values(Motor(*below)), b = values(Motor(*above));
     for (std::size_t k = 0; k < kSources; ++k) slope[k][j] = (b.p[k] - a.p[k]) / (2 * kStep);
   }
   return slope;
@@ -107,9 +159,9 @@ std::array<Vector3, kSources> LoadLosses::differences(const NodeTemperatures& x)
 
 std::optional<std::array<Gradient, kSources>> LoadLosses::gradients(
     const NodeTemperatures& x, bool fixed_static_friction) const {
-  const auto warm = at_temperatures(design_, x);
+  const auto warm = motors_->at(x);
   if (!warm) return {};
-  const auto found = differentiate(Motor(*warm), requests(), fixed_static_friction);
+  const auto found = differentiate(*warm, requests(), fixed_static_friction);
   std::array<Gradient, kSources> gradients{};
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!is_known(found[k].gradient)) return {};

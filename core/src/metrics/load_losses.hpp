@@ -2,12 +2,15 @@
 #pragma once
 
 #include "heat/heat_state.hpp"
+#include "metrics/warm_motors.hpp"
 
 #include <twum/base/no_value.hpp>
 #include <twum/core/metrics.hpp>
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace twum::core {
@@ -46,24 +49,34 @@ class DriftRule {
 /// The losses of a motor under a load that stays while its temperatures move.
 class LoadLosses {
  public:
-  LoadLosses(const MotorDesign& design, const LoadPoint& load);
+  /// @param motors  of the design, shared with others; null: its own
+  LoadLosses(const MotorDesign& design, const LoadPoint& load,
+             std::shared_ptr<WarmMotors> motors = nullptr);
 
   /// Losses and their derivatives by the temperatures; a point costs one motor with gradients, without any drift one without.
   WarmLosses at(const NodeTemperatures& x) const;
+  /// The same by following the wave from other temperatures, which costs a few points. Nothing where that is not possible.
+  std::optional<WarmLosses> near(const NodeTemperatures& x, const LoadWave& known) const;
   /// Derivatives of the losses in all parameters of the warm motor. Empty where there are none.
   std::optional<std::array<Gradient, kSources>> gradients(const NodeTemperatures& x,
                                                           bool fixed_static_friction) const;
 
  private:
   std::vector<MetricRequest> requests() const;
-  WarmLosses values(const MotorDesign& warm) const;
+  WarmLosses values(const Motor& warm) const;
+  WarmLosses with_slopes(std::span<const MetricDerivative> found) const;
   std::array<Vector3, kSources> differences(const NodeTemperatures& x) const;
 
   MotorDesign design_;
   LoadPoint load_;
+  std::shared_ptr<WarmMotors> motors_;
   DriftRule rule_;
-  bool drifts_;
+  bool drifts_, follows_;
 };
+
+/// The problem of a design under a load.
+HeatProblem heat_problem(const MotorDesign& design, const HeatNetwork& network,
+                         const LoadPoint& load, std::shared_ptr<WarmMotors> motors = nullptr);
 
 /// The network of the design; of one node with the losses at its torque and the reference temperature (H1.10).
 /// @throws SearchFailure where these losses have no value

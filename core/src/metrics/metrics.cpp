@@ -66,7 +66,7 @@ class Parts {
   explicit Parts(const Motor& motor, More... more)
       : motor_(motor),
         held_(motor.design()),
-        heat_(motor.design()),
+        heat_(motor),
         wear_(motor.design()),
         make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }) {}
 

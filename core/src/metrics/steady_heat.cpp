@@ -33,9 +33,7 @@ Answer solved_by(const MotorDesign& design, const LoadPoint& load, Ask ask) {
   require_heat(design);
   MotorDesign kept = design;
   keep_plate(kept);
-  const LoadLosses losses(kept, load);
-  return ask(HeatSolver({network_of(kept), kept.thermal->ambient,
-                         [&](const NodeTemperatures& x) { return losses.at(x); }}));
+  return ask(HeatSolver(heat_problem(kept, network_of(kept), load)));
 }
 
 SteadyHeat answer_of(const HeatSolver& solver, const SteadyState& steady, bool any_stability) {

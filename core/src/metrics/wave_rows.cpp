@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/wave_rows.hpp"
+#include "metrics/differentiator.hpp"
 #include "metrics/motor_parts.hpp"
 
 #include "drive/driven_wave.hpp"
@@ -66,11 +67,18 @@ Row divider_row(const MotorDesign& design, bool fixed_static_friction) {
 }  // namespace
 
 WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_static_friction) {
+  Differentiator numbers(motor, fixed_static_friction);
+  return wave_rows(numbers, motor, speed, modes, fixed_static_friction);
+}
+
+WaveRows wave_rows(Differentiator& numbers, const Motor& motor, double speed, bool modes,
+                   bool fixed_static_friction) {
   std::vector<MetricRequest> asked{{Metric::torque_at, Argument::speed, speed}};
   if (modes)
     asked.insert(asked.end(), {{Metric::drive_voltage_at, Argument::speed, speed},
                                {Metric::phase_lag_at, Argument::speed, speed}});
-  const auto found = differentiate(motor, asked, fixed_static_friction);
+  std::vector<MetricDerivative> found;
+  for (const MetricRequest& request : asked) found.push_back(numbers.differentiate(request));
   WaveRows rows;
   for (const MetricDerivative& d : found) rows.smoothness = std::max(rows.smoothness, d.smoothness);
   if (rows.smoothness == Smoothness::undefined) return rows;

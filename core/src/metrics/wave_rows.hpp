@@ -8,6 +8,8 @@
 
 namespace twum::core {
 
+class Differentiator;
+
 /// Derivatives in every parameter, with the others in use held, and in the speed.
 struct Row {
   std::array<double, kParameterCount> in{};
@@ -27,6 +29,10 @@ struct WaveRows {
 /// @param speed  [rad/s], more than 0
 /// @param modes  false: the torque alone
 WaveRows wave_rows(const Motor& motor, double speed, bool modes, bool fixed_static_friction);
+/// The same with derivatives that others use, too.
+/// @param numbers  of the motor
+WaveRows wave_rows(Differentiator& numbers, const Motor& motor, double speed, bool modes,
+                   bool fixed_static_friction);
 
 /// How amplitude and frequency of the wave move so that what it has to keep is kept (Y2.6).
 struct WaveSlopes {

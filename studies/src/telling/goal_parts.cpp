@@ -2,7 +2,9 @@
 #include "telling/goal_parts.hpp"
 
 #include "results/robust_answer.hpp"
+#include "telling/load_parts.hpp"
 
+#include <twum/io/value_error.hpp>
 #include <twum/motors/settings.hpp>
 
 #include <algorithm>
@@ -15,6 +17,10 @@ Part goal_part(const Goal& goal, double value, int digits) {
   return is_share(goal) ? share_part(value, digits) : value_part(value, goal.unit, digits);
 }
 
+Part goal_part_of(const Goal& goal, double value) {
+  return is_share(goal) ? share_part(value) : named_part(goal.metric, value, goal.unit);
+}
+
 Axis goal_axis(const Goal& goal) {
   return {{name_part(goal.metric)}, is_share(goal) ? "%" : goal.unit};
 }
@@ -23,9 +29,18 @@ Phrase goal_name(const Goal& goal) {
   return {goal.maximize ? "largest " : "smallest ", name_part(goal.metric)};
 }
 
-Part named_part(const std::string& name, double value, const std::string& unit) {
+bool is_temperature(const std::string& name) {
+  try {
+    return is_absolute(parse_side(name));
+  } catch (const ValueError&) {
+    return false;  // no expression, such as the name of a program's own metric
+  }
+}
+
+Part named_part(const std::string& name, double value, const std::string& unit, int digits) {
   if (name == "radial_slices" && std::isfinite(value)) return parameter_text(name, value, unit);
-  return value_part(value, unit);
+  if (unit == "K" && is_temperature(name)) return celsius_part(value, digits);
+  return value_part(value, unit, digits);
 }
 
 Part count_part(std::uint64_t count) { return value_part(static_cast<double>(count), "1", 17); }

@@ -10,14 +10,19 @@
 /// Parts that the tellings of several kinds share; internal.
 namespace twum::studies::telling {
 
-/// The value of a goal: a share of the motors in per cent, another one with its unit.
+/// An amount of a goal or a change of it: a share of the motors in per cent, another one with its unit.
 Part goal_part(const Goal& goal, double value, int digits = 4);
+/// The value of a goal: the same, but an absolute temperature is in degC.
+Part goal_part_of(const Goal& goal, double value);
 /// The axis of a goal.
 Axis goal_axis(const Goal& goal);
 /// "largest peak power", "smallest max pressure"
 Phrase goal_name(const Goal& goal);
-/// The value of a metric or a parameter: slices and whole numbers as a motor file has them, efficiencies in per cent.
-Part named_part(const std::string& name, double value, const std::string& unit);
+/// True for the name of an absolute temperature.
+bool is_temperature(const std::string& name);
+/// The value of a metric or a parameter: slices and whole numbers as a motor file has them, efficiencies in per cent, absolute
+/// temperatures in degC.
+Part named_part(const std::string& name, double value, const std::string& unit, int digits = 4);
 /// A whole number, with all of its digits.
 Part count_part(std::uint64_t count);
 /// Digits that tell the ends of an interval apart: two of half its width, and four at least.

@@ -80,7 +80,7 @@ Phrase whole_phrase(const BoundState& end, const std::vector<Goal>& goals, const
       goals.size() == 1 ? best_with(name, inner, goals[0], standings, sources) : std::nan("");
   if (std::isfinite(best))
     append(phrase, {" The best that the search saw with ", value_part(inner, "1"), " has ",
-                    a_name_part(goals[0].metric), " of ", goal_part(goals[0], best),
+                    a_name_part(goals[0].metric), " of ", goal_part_of(goals[0], best),
                     "; a wider range shows whether this continues."});
   else
     append(phrase, {" Try a wider range."});
@@ -97,6 +97,22 @@ Phrase worth_phrase(const Json& standing, const Goal& goal) {
   return {goal_part(goal, multiplier * per, 3), " per ", value_part(per, unit)};
 }
 
+std::string metric_of(const Json& standing) {
+  return standing[standing.contains("variable") ? "variable" : "metric"];
+}
+
+// One per cent of nothing is nothing: a limit at 0 is moved by as much as its scale says. Nobody reads a per cent of an absolute
+// temperature.
+Phrase moved_phrase(const Json& standing) {
+  const double limit = standing["limit"], moved = standing["moved"];
+  const std::string metric = metric_of(standing), unit = standing["unit"];
+  const Part there = named_part(metric, moved, unit);
+  if (unit == "K" && is_temperature(metric))
+    return {": ", value_part(std::fabs(moved - limit), unit, 3), " looser, at ", there,
+            ", changes "};
+  return {limit == 0 ? ": moved to " : ": 1 % looser, at ", there, ", changes "};
+}
+
 Part tolerance_part(const Json& standing) {
   return value_part(number(standing["tolerance"]), standing["unit"], 2);
 }
@@ -106,7 +122,7 @@ std::vector<Phrase> limit_row(const Json& standing, const std::vector<Goal>& goa
   const bool binds = standing["state"] == "binds";
   std::vector<Phrase> row{standing_name(standing),
                           state_phrase(standing),
-                          {value_part(number(standing["value"]), unit)},
+                          {named_part(metric_of(standing), number(standing["value"]), unit)},
                           {value_part(number(standing["slack"]), unit, 3)}};
   row.push_back({tolerance_part(standing)});
   for (std::size_t k = 0; k < goals.size(); ++k)
@@ -121,7 +137,7 @@ Phrase loosened_phrase(const RelaxationState& state, double amount) {
   if (!std::isfinite(amount)) return {"does not help alone"};
   if (amount == 0) return {"as it is"};
   if (state.of_two_sides) return {"by ", value_part(amount, state.unit)};
-  return {value_part(state.limit + (state.at_least ? -amount : amount), state.unit)};
+  return {named_part(state.metric, state.limit + (state.at_least ? -amount : amount), state.unit)};
 }
 
 Table loosened_table(const std::vector<RelaxationState>& limits) {
@@ -145,7 +161,24 @@ Table ends_table(const std::vector<RangeState>& ranges) {
   return table;
 }
 
+// The expression from which a parameter follows; a dash for one that does not.
+std::string rule_of(const StudyFile& study, const std::string& name) {
+  std::string rule = "-";
+  std::visit(
+      [&]<typename S>(const S& asked) {
+        if constexpr (requires { asked.derived; })
+          for (const DerivedParameter& one : asked.derived)
+            if (info(one.parameter).name == name) rule = one.value.text;
+      },
+      study.asked);
+  return rule;
+}
+
 }  // namespace
+
+std::string limited_by(const std::string& text) {
+  return is_limit(text) ? parse_limit(text).metric.text : text;
+}
 
 double goal_of(const DesignReport& report, const Goal& goal) {
   const double value = goal_value(report, goal);
@@ -153,7 +186,7 @@ double goal_of(const DesignReport& report, const Goal& goal) {
 }
 
 Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit) {
-  return {name_part(name), at_least ? " ≥ " : " ≤ ", value_part(limit, unit)};
+  return {name_part(name), at_least ? " ≥ " : " ≤ ", named_part(name, limit, unit)};
 }
 
 Phrase holder_phrase(const Json& standing, const std::vector<Goal>& goals,
@@ -167,9 +200,7 @@ Phrase holder_phrase(const Json& standing, const std::vector<Goal>& goals,
     append(phrase, {": it is met, but moving it by 1 % changes nothing to first order."});
     return phrase;
   }
-  // One per cent of nothing is nothing: a limit at 0 is moved by as much as its scale says.
-  append(phrase, {standing["limit"] == 0.0 ? ": moved to " : ": 1 % looser, at ",
-                  value_part(standing["moved"], standing["unit"]), ", changes "});
+  append(phrase, moved_phrase(standing));
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (k > 0) append(phrase, {" or "});
     append(phrase, changes[k]);
@@ -238,7 +269,7 @@ std::vector<BoundState> whole_ends_of(const DesignReport& report, const Sources&
 Table design_table(const std::string& name, const std::string& title, const DesignReport& report,
                    const std::vector<NamedValue>& before, const Sources& sources) {
   Table table{name, {{"parameter"}, {"before"}, {title}}, {}};
-  if (sources.study != nullptr) table.heads.push_back({"range"});
+  if (sources.study != nullptr) table.heads.push_back({"range or rule"});
   for (const ChosenSet& one : report.choice) {
     table.rows.push_back({{name_part(one.choice)}, {"-"}, {printable(one.set)}});
     if (sources.study != nullptr) table.rows.back().push_back({"chosen"});
@@ -251,7 +282,7 @@ Table design_table(const std::string& name, const std::string& title, const Desi
       table.rows.back().push_back(
           {value_part(range->first, value.unit), " to ", value_part(range->second, value.unit)});
     else if (sources.study != nullptr)
-      table.rows.back().push_back({"-"});
+      table.rows.back().push_back({rule_of(*sources.study, value.name)});
   }
   return table;
 }

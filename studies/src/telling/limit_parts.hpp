@@ -16,6 +16,9 @@ namespace twum::studies::telling {
 /// The value of a goal at a design; NaN if it has none.
 double goal_of(const DesignReport& report, const Goal& goal);
 
+/// The quantity that a limit limits, such as "max_pressure"; of one that the search adds, its text.
+std::string limited_by(const std::string& text);
+
 /// "preload ≤ 300 N"
 Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit);
 

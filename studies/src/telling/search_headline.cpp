@@ -43,8 +43,8 @@ Phrase best_sentence(const OptimizeResult& answer) {
   const Goal& goal = answer.goal;
   const double now = goal_of(answer.best, goal), before = before_of(answer);
   Phrase phrase{"The best design found has ", a_name_part(goal.metric), " of ",
-                strong(goal_part(goal, now))};
-  if (!std::isnan(before)) append(phrase, {", against ", goal_part(goal, before), " before"});
+                strong(goal_part_of(goal, now))};
+  if (!std::isnan(before)) append(phrase, {", against ", goal_part_of(goal, before), " before"});
   if (!std::isnan(before) && before != 0)
     append(phrase, {" (", change(share_part(now / before - 1, 3)), ")"});
   append(phrase, {"."});
@@ -63,7 +63,7 @@ Phrase impossible_phrase(const ImpossibleState& limit, const std::vector<RangeSt
                 limit.at_least ? "most" : "least",
                 limit.of_two_sides ? " of its left side minus its right side that was" : "",
                 " found within the ranges is ",
-                value_part(limit.best, limit.unit)};
+                named_part(limited_by(limit.text), limit.best, limit.unit)};
   for (std::size_t k = 0; k < limit.ends.size(); ++k) {
     const RangeState& end = ranges[limit.ends[k]];
     append(phrase, {k == 0 ? ", at " : " and "});
@@ -112,7 +112,8 @@ Phrase cure_sentence(const Explanation& told) {
     if (one.amount_alone > 0) {
       const double loosened = one.limit + (one.at_least ? -1 : 1) * one.amount_alone;
       least.push_back({limit_part(one.text), " by ", value_part(one.amount_alone, one.unit, 3)});
-      if (!one.of_two_sides) append(least.back(), {", to ", value_part(loosened, one.unit, 3)});
+      if (!one.of_two_sides)
+        append(least.back(), {", to ", named_part(one.metric, loosened, one.unit, 3)});
     }
   for (const RangeState& end : told.ranges)
     if (!std::isnan(end.limit_alone)) {

@@ -149,7 +149,7 @@ std::vector<Phrase> scan_phrase(const OptimizeResult& answer) {
   if (scan.better == 0) return {{"None of " + sample + " is better."}};
   const std::string some = std::to_string(scan.better) + " of " + sample;
   if (scan.replaced)
-    return {{some + " were better than the ", goal_part(answer.goal, scan.before),
+    return {{some + " were better than the ", goal_part_of(answer.goal, scan.before),
              " that the searches had ended at; a search from the best of them found this design."}};
   return {{some + " are better, but the search from the best of them found no answer; raise "
                   "max_evaluations, or start from that row of results.csv."}};
@@ -297,7 +297,7 @@ std::vector<Section> runs(const OptimizeResult& answer) {
     table.rows.push_back({{std::to_string(run.stage)},
                           {run.solver.empty() ? "-" : run.solver},
                           {run.word.empty() ? "-" : run.word},
-                          {goal_part(answer.goal, run.objective)},
+                          {goal_part_of(answer.goal, run.objective)},
                           {run.feasible ? good("yes") : bad("no")},
                           {count_part(run.evaluations)}});
     if (sliced)

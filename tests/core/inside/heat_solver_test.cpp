@@ -7,6 +7,7 @@
 #include "support/heat_motors.hpp"
 
 #include <cmath>
+#include <memory>
 
 using namespace twum;
 using namespace twum::core;
@@ -33,17 +34,23 @@ HeatSolver one_node_with(const Loss& loss) {
 // A motor's losses, counted.
 struct Counted {
   HeatSolver solver;
-  std::shared_ptr<int> points;
+  std::shared_ptr<int> searched, followed;
 };
-Counted counted(const MotorDesign& design, double torque) {
-  auto points = std::make_shared<int>(0);
-  const LoadLosses losses(design, heat_load(torque));
-  return {HeatSolver({network_of(design), design.thermal->ambient,
-                      [losses, points](const NodeTemperatures& x) {
-                        ++*points;
-                        return losses.at(x);
-                      }}),
-          points};
+Counted counted(const MotorDesign& design, const LoadPoint& load) {
+  Counted counted{HeatSolver(heat_problem(design, network_of(design), load)),
+                  std::make_shared<int>(0), std::make_shared<int>(0)};
+  const LoadLosses losses(design, load);
+  counted.solver = HeatSolver(
+      {network_of(design), design.thermal->ambient,
+       [losses, points = counted.searched](const NodeTemperatures& x) {
+         ++*points;
+         return losses.at(x);
+       },
+       [losses, points = counted.followed](const NodeTemperatures& x, const LoadWave& known) {
+         ++*points;
+         return losses.near(x, known);
+       }});
+  return counted;
 }
 
 }  // namespace
@@ -132,8 +139,58 @@ TEST_CASE("a steady state of a usual motor costs at most six points with gradien
           "[core][heat][cost]") {
   for (const double torque : {0.0, 0.2, 0.5, 0.8}) {
     CAPTURE(torque);
-    const Counted at = counted(with_table(warm_motor()), torque);
+    const Counted at = counted(with_table(warm_motor()), heat_load(torque));
     REQUIRE(at.solver.from_cold().ok());
-    CHECK(*at.points <= 6);
+    CHECK(*at.searched + *at.followed <= 6);
+    CHECK(*at.searched <=
+          3);  // the cold motor, the answer, and one between them where the way bends
+  }
+}
+
+TEST_CASE("a wave that is followed to other temperatures is the one that a search finds (H3.3)",
+          "[core][heat][identity]") {
+  Uniform random(3);
+  int followed = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotorDesign design = with_table(warm_motor());
+    design.stator.voltage = random(110, 160);
+    design.preload = random(120, 190);
+    design.stator.radial_slices = i % 3 == 0 ? 4 : 1;
+    const LoadPoint load =
+        i % 2 == 0 ? heat_load(random(0.05, 0.6)) : LoadPoint{Argument::speed, random(5, 14)};
+    const LoadLosses losses(design, load);
+    const double cold = kZero + 20, warm = cold + random(1, 40);
+    const WarmLosses first = losses.at({cold, cold, cold});
+    if (!first.wave) continue;
+    const auto near = losses.near({warm, warm, warm}, *first.wave);
+    const WarmLosses searched = losses.at({warm, warm, warm});
+    if (!near || searched.status != MetricStatus::ok) continue;
+    ++followed;
+    // Both solve for the wave to 1e-12; losses and slopes move with it by less than a hundred times that. Slices come from the
+    // same rule.
+    for (std::size_t k = 0; k < kSources; ++k) {
+      CHECK(std::fabs(near->p[k] - searched.p[k]) <= 1e-9 * (searched.p[k] + 1e-3));
+      for (std::size_t j = 0; j < 3; ++j)
+        CHECK(std::fabs(near->slope[k][j] - searched.slope[k][j]) <= 1e-9);
+    }
+  }
+  CHECK(followed >= 40);
+}
+
+TEST_CASE("the steady state is the same with and without following waves (H3.2)",
+          "[core][heat][identity]") {
+  for (const double torque : {0.1, 0.5, 0.9}) {
+    const MotorDesign design = with_table(warm_motor());
+    HeatProblem searching = heat_problem(design, network_of(design), heat_load(torque));
+    const HeatSolver following(searching);
+    searching.losses = [losses = searching.losses](const NodeTemperatures& x) {
+      WarmLosses found = losses(x);
+      found.wave.reset();
+      return found;
+    };
+    const SteadyState a = following.from_cold(), b = HeatSolver(searching).from_cold();
+    REQUIRE(a.state.status == b.state.status);
+    // the last step of Newton's method is at most 1e-5 K, and leaves its square times the bend
+    for (std::size_t j = 0; j < 3; ++j) CHECK(std::fabs(a.state.x[j] - b.state.x[j]) <= 1e-8);
   }
 }

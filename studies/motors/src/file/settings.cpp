@@ -44,7 +44,11 @@ std::optional<int> automatic_slices(std::string_view text) {
 
 std::string parameter_text(std::string_view name, double value, std::string_view unit) {
   const bool slices = name == info(Parameter::radial_slices).name;
-  return slices ? slices_text(static_cast<int>(value)) : engineering(value, unit);
+  if (slices) return slices_text(static_cast<int>(value));
+  constexpr double kZero = 273.15;  // 0 degC [K]
+  const auto parameter = find_parameter(name);
+  const bool absolute = parameter && info(*parameter).absolute;
+  return absolute ? engineering(value - kZero, "degC") : engineering(value, unit);
 }
 
 ParameterValue parse_setting(std::string_view text) {

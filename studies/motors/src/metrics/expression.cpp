@@ -34,7 +34,8 @@ std::vector<Expected> expected_of(Argument argument) {
 
 std::string usage(const MetricInfo& metric) {
   if (metric.argument == Argument::both) return std::string(metric.name) + "(0.5 N.m, 100 rpm)";
-  return std::string(metric.name) + "(" + std::string(expected_of(metric.argument).front().example) + ")";
+  return std::string(metric.name) + "(" +
+         std::string(expected_of(metric.argument).front().example) + ")";
 }
 
 const char* argument_phrase(Argument argument) {
@@ -289,6 +290,13 @@ bool MetricExpression::has_derivatives() const {
     const auto* own = std::get_if<OwnTerm>(&term);
     return own == nullptr || (*own)->gradient != nullptr;
   });
+}
+
+bool is_absolute(const MetricExpression& expression) {
+  const MetricRequest* request = expression.request();
+  const Parameter* parameter = expression.parameter();
+  return (request != nullptr && info(request->metric).absolute) ||
+         (parameter != nullptr && info(*parameter).absolute);
 }
 
 MetricExpression expression_of(Parameter parameter) { return parse_metric(info(parameter).name); }

@@ -186,14 +186,31 @@ std::vector<MetricValue> ExpressionEvaluator::evaluate(const Motor& motor) const
   return values;
 }
 
-std::string unanswered(std::span<const MetricExpression> expressions,
-                       std::span<const MetricValue> values) {
+namespace {
+
+template <typename Chosen>
+std::string statuses(std::span<const MetricExpression> expressions,
+                     std::span<const MetricValue> values, Chosen chosen) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].status == MetricStatus::ok || is_endless(values[i].status)) continue;
+    if (!chosen(values[i].status)) continue;
     text += (text.empty() ? "" : "; ") + expressions[i].text + ": " + to_string(values[i].status);
   }
   return text;
+}
+
+}  // namespace
+
+std::string unanswered(std::span<const MetricExpression> expressions,
+                       std::span<const MetricValue> values) {
+  return statuses(expressions, values, [](MetricStatus status) {
+    return status != MetricStatus::ok && !is_endless(status);
+  });
+}
+
+std::string endless(std::span<const MetricExpression> expressions,
+                    std::span<const MetricValue> values) {
+  return statuses(expressions, values, [](MetricStatus status) { return is_endless(status); });
 }
 
 }  // namespace twum::motors

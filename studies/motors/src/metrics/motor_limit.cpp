@@ -177,13 +177,6 @@ MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance) {
 
 namespace {
 
-bool is_absolute(const MetricExpression& side) {
-  const MetricRequest* request = side.request();
-  const Parameter* parameter = side.parameter();
-  return (request != nullptr && info(request->metric).absolute) ||
-         (parameter != nullptr && info(*parameter).absolute);
-}
-
 // A temperature in degC stands opposite an absolute temperature alone.
 void check_celsius(std::string_view text, const std::vector<Sign>& signs) {
   std::vector<Piece> pieces{{text, 0, text.size()}};

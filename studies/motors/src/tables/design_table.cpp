@@ -309,7 +309,9 @@ bool DesignTable::append_result(std::string_view record, std::size_t line, Scrat
     if (metric.status == MetricStatus::ok) append_number(out, metric.value);
     out += ',';
   }
-  append_cell(out, ok ? std::string_view("ok") : std::string_view(scratch.reason));
+  // An empty cell has a reason, also where the value has no end.
+  const std::string reason = ok ? endless(metrics_, scratch.metrics) : scratch.reason;
+  append_cell(out, reason.empty() ? std::string_view("ok") : std::string_view(reason));
   out += '\n';
   return ok;
 }

@@ -51,6 +51,9 @@ struct MetricExpression {
   bool has_derivatives() const;
 };
 
+/// True for a metric or a parameter alone that is an absolute temperature, which people read in degC.
+bool is_absolute(const MetricExpression& expression);
+
 /// The expression for a single parameter.
 MetricExpression expression_of(Parameter parameter);
 /// The expression for a program's own metric, for a DesignProblem or an ExpressionEvaluator. Studies refuse it, because they are
@@ -135,5 +138,8 @@ class ExpressionEvaluator {
 /// @param values  of the expressions, in their order
 std::string unanswered(std::span<const MetricExpression> expressions,
                        std::span<const MetricValue> values);
+/// Names the expressions whose value has no end, such as "on_time_at(0.5 N.m): never-too-hot"; empty if there are none.
+std::string endless(std::span<const MetricExpression> expressions,
+                    std::span<const MetricValue> values);
 
 }  // namespace twum::motors

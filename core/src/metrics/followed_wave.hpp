@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "curve/curve.hpp"
+#include "drive/driven_wave.hpp"
+#include "heat/heat_state.hpp"
+
+#include <twum/core/load.hpp>
+#include <twum/core/motor_design.hpp>
+
+#include <memory>
+
+namespace twum::core {
+
+/// True for a load whose wave can be followed from motor to motor: a voltage holds it on the running branch.
+bool follows_wave(const MotorDesign& design, const LoadPoint& load);
+
+/// The one point of a torque-speed curve that a load takes, found from that of nearly the same motor: a few operating points in
+/// place of the whole branch.
+class FollowedCurve final : public Curve {
+ public:
+  /// H = Theta u_0 (D2.4), and at a torque T = T_L with it, by Newton's method over amplitude and speed. Null where this does not
+  /// lead straight to a wave that is stable, and at a torque to a speed that is.
+  static std::unique_ptr<const FollowedCurve> from(const MotorDesign& design, const LoadPoint& load,
+                                                   const LoadWave& near);
+
+  double speed() const { return begin(); }
+  const MotorPoint& found() const { return found_; }
+  /// Not searched: both throw. @{
+  CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
+  CurveSlope slope(double speed, const WarmStart* guess) const override;
+  /// @}
+
+ private:
+  FollowedCurve(MotorPoint found, double speed)
+      : Curve(found_.motor, Waves::each_its_own, speed), found_(std::move(found)) {}
+
+  MotorPoint found_;
+};
+
+}  // namespace twum::core
