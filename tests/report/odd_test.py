@@ -128,14 +128,14 @@ class Calibration(Study):
     def test_one_point_leaves_nothing_undetermined_but_freedom(self):
         summary = self.calibrate("one", "60,0.84\n")
         self.assertEqual([(e["remark"], e["low"]) for e in summary["estimates"].values()], [("hardly determined", None)])
-        self.assertRegex(self.text(".verdict"), r"The points do not determine all of these; they are fitted best by kinetic friction 0\.\d+ \(hardly determined\)\.")
+        self.assertRegex(self.text(".verdict"), r"The points do not determine all of these parameters. The best fit has kinetic friction 0\.\d+ \(hardly determined\)\.")
         # Without an interval there is no band either, rather than one without width.
         self.assertEqual(self.lines(".legend")[0], "fitmeasured")
         self.assertEqual(self.browser.value("document.querySelector('[data-chart=fit]').plot.data.length"), 1 + 2)
 
     def test_an_estimate_at_an_end_of_its_range_is_said_to_be_held(self):
         self.calibrate("held", "60,0.84\n", "0.1")
-        self.assertIn("kinetic friction 0.1 (held by its max)", self.text(".verdict"))
+        self.assertIn("kinetic friction 0.1 (at its max)", self.text(".verdict"))
 
 
     def test_an_outlier_is_marked_among_the_points(self):
