@@ -53,8 +53,9 @@ MotorDesign under_wave(const MotorDesign& given, const MotionSample& sample) {
   return design;
 }
 
-constexpr double kTurnsOfMemory = 30;  // of the wave, which a slow motion takes at least
-constexpr std::size_t kLooks = 100;    // at samples, for that
+constexpr double kSlow =
+    1.0 / 30;  // of the wave's rate: a slower motion takes 30 rad of its phase or more
+constexpr std::size_t kLooks = 100;  // at samples, for that
 
 // Of the rotor in the direction of the wave.
 double speed_along_wave(const MotionTask& task, const MotionSample& sample) {
@@ -101,7 +102,7 @@ std::optional<MotionEvent> first_too_fast(const MotionModel& model, const Motion
   const std::size_t step = 1 + motion.samples.size() / kLooks;
   for (std::size_t k = 0; k < motion.samples.size(); k += step) {
     const MotionSample& s = motion.samples[k];
-    if (is_settled(model, s) && slowness(model, s, speed_along_wave(task, s)) > 1 / kTurnsOfMemory)
+    if (is_settled(model, s) && slowness(model, s, speed_along_wave(task, s)) > kSlow)
       return MotionEvent{MotionEventKind::too_fast, s.time, s.speed, s.angle, s.amplitude};
   }
   return {};

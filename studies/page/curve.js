@@ -191,8 +191,8 @@ function terminalsChart(node, curve, onSpeed) {
 const terminalCharts = [
   ['amplitude', 'Wave amplitude', 'At the contact radius.'],
   ['phase_current', 'Current of a phase', 'Root mean square.'],
-  ['phase_lag', 'Phase lag', 'Of the wave behind the voltage.'],
-  ['power_factor', 'Power factor', 'Electrical over apparent power of a phase.']
+  ['phase_lag', 'Phase lag', 'Lag of the wave behind the voltage.'],
+  ['power_factor', 'Power factor', 'Electrical power over apparent power of a phase.']
 ];
 
 /**
@@ -208,7 +208,7 @@ export class CurveSection {
 
   /** The torque alone; limits: those of the design of the last curve. */
   torque(node, title, limits) {
-    const follow = 'The fields in the contact follow the mouse, a finger or the arrow keys; drag to zoom.';
+    const follow = 'Point at the curve or use the arrow keys to see the fields in the contact; drag to zoom.';
     const holder = el('div', {});
     node.append(el('p', {}, follow), holder);
     this.limits = limits ?? [];
@@ -238,8 +238,8 @@ export class CurveSection {
   power() {
     if (this.list.length > 1) return this.half('output_power', 'Output power', 'Peak power is marked.');
     const [curve] = this.list;
-    const losses = 'What the contact gives to the rotor, and where the rest goes.';
-    const taken = 'What the terminals take and where it goes, between the beginning of the curve and no-load.';
+    const losses = 'Output power of the rotor, and the losses.';
+    const taken = 'Electrical power at the terminals: output and losses, up to no-load.';
     if (atTerminals(curve)) return terminalsChart(card('Electrical power', taken, 'half'), curve, this.onSpeed);
     return powerChart(card('Power and losses', losses, 'half'), curve, this.onSpeed);
   }
@@ -248,7 +248,7 @@ export class CurveSection {
   efficiency() {
     const share = {unit: percentUnit, range: [0, 100]};
     if (this.list.every(atTerminals)) {
-      const note = 'Output over electrical power, every loss counted but that of the driver.';
+      const note = 'Output power over electrical power, with all losses except that of the driver.';
       return this.half('overall_efficiency', 'Overall efficiency', note, share);
     }
     const damped = this.list.some((c) => largest([c.stator_loss]) > 0);
@@ -258,8 +258,8 @@ export class CurveSection {
     const ended = (c) => Array.from(c[name], (value, i) => (c.output_power[i] <= 0 ? 0 : value));
     const list = this.list.map((c) => ({...c, [name]: ended(c)}));
     const note = damped ?
-        'Output over all that the stator takes: the losses of contact and vibrating stator are counted.' :
-        'Output over the power given to the contact: without modal damping the stator loses nothing.';
+        'Output power over input power, with the losses of the contact and of the vibrating stator.' :
+        'Output power over the power to the contact; without modal damping the stator has no loss.';
     return this.half(name, damped ? 'Efficiency' : 'Contact efficiency', note, {...share, list});
   }
 
@@ -268,7 +268,7 @@ export class CurveSection {
     this.power();
     this.efficiency();
     if (this.list.length > 1) this.half('friction_power', 'Friction loss', 'Power that wears the contact.');
-    this.half('wear_intensity', 'Wear intensity', 'Friction power for each area of the track.');
+    this.half('wear_intensity', 'Wear intensity', 'Friction power per area of the track.');
     if (this.list.every(atTerminals))
       for (const [name, title, note] of terminalCharts) this.half(name, title, note);
     this.viewer = fieldsSection(this.list, this.names, this.list.length - 1);

@@ -102,7 +102,7 @@ export class DesignsTable {
 
   note(count) {
     const part = rows.every > 1;
-    const first = 'The first 100 of ' + count + (part ? ' on this page' : '') + '; saved as CSV, all of these.';
+    const first = 'The first 100 of ' + count + (part ? ' on this page' : '') + '; the CSV file has all of them.';
     return (count > 100 ? first : count + ' designs.') + (part ? ' results.csv has every design.' : '');
   }
 

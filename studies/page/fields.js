@@ -120,8 +120,8 @@ class FieldsCard {
     this.body = el('div', {});
     this.slider.addEventListener('input', () => this.showAt((this.lastSpeed() * this.slider.value) / 1000));
     this.choice.addEventListener('change', () => this.build(Number(this.choice.value)));
-    const note = 'One contact of the wave at one speed: where the layer sticks to the stator, where it slips, and ' +
-        'what that does. The colour of the ground names the zone.';
+    const note = 'One contact zone of the wave at one speed: where the layer sticks to the stator, where it slips, ' +
+        'and the resulting stresses and velocities. The background colour shows the zone.';
     const curve = list.length > 1 ? el('label', {}, 'curve ', this.choice) : null;
     const tools = el('div', {class: 'tools'}, curve, el('label', {}, 'speed ', this.slider));
     card('In the contact', note, 'wide', tools, this.title, legend(fieldsLegend), this.body);

@@ -62,7 +62,7 @@ function facts() {
   const list = [[rowWord() + ' computed', String(summary.evaluations)]];
   if (failed) list.push(['of these ' + data.headline.unanswered, String(failed)]);
   const fact = ([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value));
-  const limits = el('a', {href: '#notes'}, notes + (notes === 1 ? ' note' : ' notes') + ' on the limits of the model');
+  const limits = el('a', {href: '#notes'}, notes + (notes === 1 ? ' note' : ' notes') + ' on the validity');
   return el('div', {class: 'facts'}, list.map(fact), notes ? limits : null);
 }
 
@@ -76,7 +76,7 @@ function verdictCard() {
 function notesCard() {
   const notes = summary.model_notes || [];
   if (!notes.length) return;
-  card('Mind the model', null, 'wide', bullets(notes.map((note) => capital(note) + '.'))).id = 'notes';
+  card('Validity', null, 'wide', bullets(notes.map((note) => capital(note) + '.'))).id = 'notes';
 }
 
 function failuresCard() {
@@ -85,9 +85,9 @@ function failuresCard() {
   const end = (n, v) => (typeof v.low === 'string' ? v.low : range(n, v));
   const where = (r) =>
       Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + end(n, v));
-  const note = 'A number that was asked for does not exist for these ' + rowWord() +
+  const note = 'A requested number does not exist for these ' + rowWord() +
       ', or could not be computed. They ' +
-      'are counted here and enter nothing else.';
+      'are counted here and left out of everything else.';
   const lines = summary.failure_regions.map(
       (r) =>
           [words(r.reason), words(data.failures[r.reason]), {text: String(r.count), value: r.count},
@@ -109,7 +109,7 @@ function motorCard() {
   });
   foldedCard(
       'The motor of the study', data.motor.name, 'wide', designerButton({}, data.motor.name),
-      table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
+      table('motor', ['parameter', 'symbol', 'value', 'meaning'], lines));
 }
 
 /** What the names on this page stand for. */
@@ -121,8 +121,8 @@ function glossaryCard() {
     ...Object.entries(data.efficiencies).map(([n, text]) => [words(n.replaceAll('_', ' ')), words(text), words(n)])
   ];
   foldedCard(
-      'What the names mean', lines.length + ' names', 'wide',
-      table('names', ['name', 'what it is', 'as typed'], lines));
+      'Names', lines.length + ' names', 'wide',
+      table('names', ['name', 'meaning', 'as typed'], lines));
 }
 
 function provenanceCard() {
@@ -135,8 +135,8 @@ function provenanceCard() {
       ].filter(([, v]) => v !== undefined && v !== null && v !== '')
           .map(([n, v]) => [words(n), words(String(v))]);
   foldedCard(
-      'Where this comes from', 'version, date, libraries', 'half', table('provenance', ['what', 'value'], lines));
-  foldedCard('The study', 'as it was run, every default written out', 'half', el('pre', {tabindex: '0'}, data.study));
+      'Provenance', 'version, date, libraries', 'half', table('provenance', ['item', 'value'], lines));
+  foldedCard('The study', 'as run, with all defaults', 'half', el('pre', {tabindex: '0'}, data.study));
 }
 
 /** The last of an odd number of cards of half a row takes the whole row, so that no hole is left beside it. */
@@ -158,7 +158,7 @@ function contents() {
     const node = title.closest('.card');
     node.id ||= 'part-' + (i + 1);
     const open = () => node.querySelector(':scope > details')?.setAttribute('open', '');
-    const text = node.id === 'chosen' ? 'The point chosen' : title.textContent;
+    const text = node.id === 'chosen' ? 'Chosen point' : title.textContent;
     return el('a', {href: '#' + node.id, onclick: open}, text);
   });
   return el('nav', {'aria-label': 'contents'}, links);

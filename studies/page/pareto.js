@@ -100,7 +100,7 @@ class Front {
   }
 
   along(node) {
-    node.append(el('p', {}, 'Drag along an axis to keep some points only; Escape shows all.'));
+    node.append(el('p', {}, 'Drag along an axis to select points; Escape shows all.'));
     const columns = frontColumns();
     this.lines = parallelChart(node, columns, new Filter(columns, summary.front.length), (i) => this.choose(i));
     this.choose(summary.knee ?? 0);

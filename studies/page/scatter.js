@@ -72,7 +72,7 @@ export class Scatter {
   honest() {
     const held = 'the ' + rows.count + ' designs on this page, one in ' + rows.every + ' drawn at random';
     if (!this.counts) return 'Points: ' + held + '.';
-    return 'The colours count all ' + rows.total + ' designs; what is chosen or pointed at is of ' + held + '.';
+    return 'The colours count all ' + rows.total + ' designs; selecting and pointing use ' + held + '.';
   }
 
   buttons(x, y) {

@@ -42,7 +42,7 @@ function scatterCard(filter, view, side) {
   const what = rows.densities ? 'The colours count designs. ' : 'Each point is a design. ';
   const note = what +
       'Drag to choose some; point at one, or step through them with the arrow keys, to see its curve. ' +
-      'Two variables and the colour of a metric make a map.';
+      'With two variables on the axes and a metric as colour it is a map.';
   const holder = el('div', {});
   const tools = el('div', {class: 'tools'});
   card('Designs', note, 'wide').append(el('div', {class: 'main-and-side'}, el('div', {}, tools, holder), side));
@@ -63,13 +63,13 @@ export function sweepHooks() {
   const side = el('div', {});
   const view = new DesignView(side, rows.columns);
   const lines =
-      'One line for each design. Drag along an axis to keep an interval; click the axis to free it; Escape frees all.';
-  const limits = 'Keep the designs within these limits, in the units shown; every view follows.';
+      'One line for each design. Drag along an axis to select an interval, click it to clear; Escape clears all.';
+  const limits = 'Select the designs within these limits, in the units shown; all views show the selection.';
   return {
     designs: () => {
       heatCard(view);
       scatterCard(filter, view, side);
-      parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null);
+      parallelChart(card('All quantities', lines, 'wide'), rows.columns, filter, null);
       card('Filters', limits, 'half filters').append(filterBoxes(filter));
     },
     list: () => new DesignsTable(card('The designs', null, 'wide').appendChild(el('div', {})), filter, view)

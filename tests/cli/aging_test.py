@@ -61,12 +61,12 @@ class Life(program.Case):
 
     def test_what_ends_a_life_is_told_with_its_limit(self):
         text = self.ok("life", WORN, *LOAD, "--points", "3", "--set", "preload_spring=0 N/mm")
-        self.assertIn("it does not keep start_voltage <= 120 V any more", text)
+        self.assertIn("it violates start_voltage <= 120 V", text)
 
     def test_the_margins_are_drawn(self):
         picture = self.folder / "life.svg"
         self.ok("life", WORN, *LOAD, "--points", "5", "--plot", picture)
-        for words in ("what is left of each limit", "start voltage", "end"):
+        for words in ("remaining margin of each limit", "start voltage", "end"):
             self.assertIn(words, picture.read_text())
 
     def test_what_cannot_be_is_refused(self):

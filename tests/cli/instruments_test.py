@@ -169,7 +169,7 @@ class Loads(program.Case):
         self.write("bench.csv", "n,M\n1,2\n")
         for entry, words in (("{speed: rpm, torque: M}", "no column 'rpm', which 'columns' of the study names; expected one of 'n', 'M'"),
                              ("{speed: 7, torque: M}", "no column 7"), ("{speed: n, torque: 1}", "column 1 has another meaning already"),
-                             ("{speed: 1, torque: 9}", "no column 9"), ("{sped: n}", "'sped' is nothing that a table may hold"),
+                             ("{speed: 1, torque: 9}", "no column 9"), ("{sped: n}", "'sped' is not a quantity that a table may contain"),
                              ("{speed: 0.5, torque: M}", "expected the number of a column"),
                              ("{speed: {column: n, sign: up}, torque: M}", "reversed")):
             study = self.write("fit.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: calibrate\n  data: bench.csv\n"

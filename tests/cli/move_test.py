@@ -60,7 +60,7 @@ class Move(program.Case):
         self.assertAlmostEqual(held["time"], 0.024 + 9e-3, delta=0.3e-3)
         # An error bar of the speed of some thousandths, not of some percent and not of nothing.
         self.assertTrue(1e-3 < motion["step_error"]["speed"] < 0.2)
-        self.assertIn("Errors of points and steps", self.ok("move", MOVING, "--engine", "oscillating", "--time", "3 ms"))
+        self.assertIn("Discretization errors", self.ok("move", MOVING, "--engine", "oscillating", "--time", "3 ms"))
         self.assertIn("rotor_inertia", self.refused("move", DRIVE, "--engine", "oscillating"))
         self.assertIn("radial_slices", self.refused("move", MOVING, "--engine", "oscillating", "--set", "radial_slices=4"))
 

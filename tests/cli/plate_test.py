@@ -109,7 +109,7 @@ study:
         for radius in touching:
             self.assertNotIn(radius, answer["moves"])
         page = (self.folder / "out/report.html").read_text()
-        self.assertIn(" has no row, because it is equal to ", page)
+        self.assertIn(" has no row, because it equals ", page)
 
 
 class Materials(program.Case):

@@ -34,7 +34,7 @@ class Results(program.Case):
             said = self.ok("verify", folder)
             self.assertIn(f"{name} ({name}): holds", said)
             self.assertIn(f"{rows} of {rows} stored rows evaluated again", said)
-            self.assertIn("equal to the bit", said)
+            self.assertIn("bitwise equal", said)
             self.assertEqual(before, {path.name: path.read_bytes() for path in folder.iterdir()})
 
     def test_an_answer_as_markdown(self):

@@ -268,7 +268,7 @@ class Solid(program.Case):
 
     def test_data_of_a_solid_need_its_geometry_beside_them(self):
         text = pathlib.Path(DRIVE).read_text().replace("    wavelengths", f"    solid: {self.results}/solid.yaml\n    wavelengths", 1)
-        self.assertIn("must stand beside the 'geometry' that was solved", self.refused("stator", self.write("drive.yaml", text)))
+        self.assertIn("must be given together with the 'geometry' that was solved", self.refused("stator", self.write("drive.yaml", text)))
 
     def test_data_that_cannot_be_read_are_told_at_the_entry(self):
         error = self.refused("stator", self.using(lambda text: text.replace("solid.yaml", "no.yaml")))

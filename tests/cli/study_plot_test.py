@@ -113,7 +113,7 @@ class Pictures(program.Case):
         watts = (broken[first][1] - broken[last][1]) / (grey[first][1] - grey[last][1])
         high, low = (broken[first][1] + watts * (y - grey[first][1]) for y in (top, bottom))
         beyond = sum(not low <= p <= high for p in power)
-        self.assertIn(f"optimize-ring-60: how the search went; {beyond} beyond the axis stand at its edge", pictures["search"].words())
+        self.assertIn(f"optimize-ring-60: course of the search; {beyond} beyond the axis are drawn at its edge", pictures["search"].words())
         # The best is found early: the line ends as high as the highest green dot.
         self.assertAlmostEqual(pictures["search"].pieces[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
 
@@ -143,7 +143,7 @@ class Pictures(program.Case):
         # Heights have two decimals, on some 30 bars of together 5000 points.
         self.assertAlmostEqual(heights[BLUE] / (heights[BLUE] + heights[VERMILION]), kept / len(torque), delta=1e-3)
         self.assertAlmostEqual(max(right for _, right, _, _ in boxes[VERMILION]), min(left for left, _, _, _ in boxes[BLUE]), delta=0.02)
-        self.assertTrue({"≥ 750 mN·m", "5 %", "50 %", "95 %", "keeps the limit", "breaks it"} <= set(pictures["histogram-stall_torque"].words()))
+        self.assertTrue({"≥ 750 mN·m", "5 %", "50 %", "95 %", "keeps the limit", "violates the limit"} <= set(pictures["histogram-stall_torque"].words()))
 
     def test_bars_are_as_long_as_the_effects(self):
         for study, size in (("sensitivity-sobol", lambda e: e["total"]["value"]), ("sensitivity-morris", lambda e: e["mu_star"]),

@@ -306,7 +306,7 @@ TEST_CASE("thermal blocks that mean nothing are refused, each with its reason",
   CHECK(has(wrong([](MotorDesign& d) {
               d.thermal->one_node = OneNode{40, 0.5, 660};
             }),
-            "must be left out beside one_node"));
+            "must be left out with one_node"));
   CHECK(has(wrong([](MotorDesign& d) { d.thermal->drift.quality_factor = -3e-3; }),
             "drift_quality_factor must be left out, but the motor is not given by quality_factor; "
             "give drift_modal_damping"));

@@ -88,8 +88,8 @@ class Band(Page):
             self.assertTrue(left <= torque * 1000 <= right or left <= torque <= right)
             self.assertTrue(bottom <= speed / RPM <= top)
         # The numbers that are no point of a curve have a picture of their own: four, one of each kind.
-        self.assertIn("Residuals of single numbers", self.lines("h2"))
-        self.assertEqual(self.browser.value("document.querySelector('[data-chart=\"residuals of single numbers\"]').plot.data[1].filter(v => v !== null).length"), 4)
+        self.assertIn("Residuals of single values", self.lines("h2"))
+        self.assertEqual(self.browser.value("document.querySelector('[data-chart=\"residuals of single values\"]').plot.data[1].filter(v => v !== null).length"), 4)
 
 
 if __name__ == "__main__":

@@ -260,7 +260,7 @@ class Numbers(Designer):
             # A root and four products, each rounded once.
             self.assertAlmostEqual(read[name], told[name], delta=1e-15 * told[name], msg=name)
         for wrong, words in ((text.replace("132.5 ohm", "132.5 V"), "stator.equivalent_circuit.motional_resistance: 132.5 V has the unit V"),
-                             (text.replace("82.7 mH", "0 H"), "motional_inductance: 0 H has to be above 0"),
+                             (text.replace("82.7 mH", "0 H"), "motional_inductance: 0 H must be above 0"),
                              (text.replace(", force_factor: 0.55 N/V", ""), "stator.equivalent_circuit.force_factor: missing"),
                              (given.replace("    loss_tangent", circuit + "    loss_tangent"), "follows from equivalent_circuit; leave one of the two out")):
             said = self.browser.value(f"(() => {{ try {{ readMotorYaml({json.dumps(wrong)}, {PANEL}.tables, {PANEL}.core); return 'accepted'; }} catch (e) {{ return e.message; }} }})()")

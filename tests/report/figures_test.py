@@ -231,7 +231,7 @@ class Figures(Page):
             powers = [float(row["peak_power [W]"]) for row in csv.DictReader(file) if row["peak_power [W]"]]
         best = summary["best"]["metrics"]["peak_power"]
         self.assertTrue(low < best < high)
-        self.assertGreater(max(powers), 2 * best)  # of motors that break a limit
+        self.assertGreater(max(powers), 2 * best)  # of motors that violate a limit
         self.assertLess(high, 1.2 * best)
         beyond = sum(not low <= p <= high for p in powers)
         self.assertIn(f"{beyond} of them lie beyond the axis", self.text("section:has([data-chart=search])"))

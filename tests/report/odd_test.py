@@ -39,7 +39,7 @@ class Odd(Study):
         "free": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power", "preload ≤ 300 N, the end of its range"),
         "one-variable": ("sweep", "sampling: grid, variables: {preload: {min: 0.001 N, max: 3 kN, points: 5}}, "
                          "metrics: [speed_at(0.9 N.m)]", "5 designs, 1 of them failed or incomplete"),
-        "dead": ("curve", "points: 5", "drives no load"),
+        "dead": ("curve", "points: 5", "cannot drive a load"),
     }
 
     def test_pages_say_so(self):
@@ -53,7 +53,7 @@ class Odd(Study):
         self.assertIsNone(summary["curves"][0]["metrics"]["peak_power"])
         self.assertGreater(summary["curves"][0]["metrics"]["stall_torque"], 0.5)
         self.assertRegex(self.text(".verdict"), r"has no peak power that could be computed\. Its stall torque is \d+ mN·m\.")
-        self.assertNotIn("drives no load", self.text(".verdict"))
+        self.assertNotIn("cannot drive a load", self.text(".verdict"))
         self.assertIn("Points: failed or incomplete", self.lines("h2"))
         # What a reason means is said with the words that the program has for it.
         meanings = self.browser.value("data.reasons")
@@ -128,14 +128,14 @@ class Calibration(Study):
     def test_one_point_leaves_nothing_undetermined_but_freedom(self):
         summary = self.calibrate("one", "60,0.84\n")
         self.assertEqual([(e["remark"], e["low"]) for e in summary["estimates"].values()], [("hardly determined", None)])
-        self.assertRegex(self.text(".verdict"), r"The points do not determine all of these; they are fitted best by kinetic friction 0\.\d+ \(hardly determined\)\.")
+        self.assertRegex(self.text(".verdict"), r"The points do not determine all of these parameters. The best fit has kinetic friction 0\.\d+ \(hardly determined\)\.")
         # Without an interval there is no band either, rather than one without width.
         self.assertEqual(self.lines(".legend")[0], "fitmeasured")
         self.assertEqual(self.browser.value("document.querySelector('[data-chart=fit]').plot.data.length"), 1 + 2)
 
     def test_an_estimate_at_an_end_of_its_range_is_said_to_be_held(self):
         self.calibrate("held", "60,0.84\n", "0.1")
-        self.assertIn("kinetic friction 0.1 (held by its max)", self.text(".verdict"))
+        self.assertIn("kinetic friction 0.1 (at its max)", self.text(".verdict"))
 
 
     def test_an_outlier_is_marked_among_the_points(self):
@@ -251,7 +251,7 @@ class Many(Study):
 
     def densities_of_all(self, stored):
         """The picture counts every design, not those on the page; what is chosen is of those, and the page says so."""
-        self.assertIn("The colours count all 100003 designs; what is chosen or pointed at is of the 50002 designs on this page", self.text("main"))
+        self.assertIn("The colours count all 100003 designs; selecting and pointing use the 50002 designs on this page", self.text("main"))
         cells, lows = self.browser.value("(() => { const c = countsOf(0, 1); return [Array.from({length: c.n}, (_, i) => Array.from({length: c.n}, (_, j) => c.at(i, j))), [...c.x]]; })()")
         preloads = [float(row["preload"]) for row in stored]
         self.assertEqual(sum(map(sum, cells)), len(stored))

@@ -134,7 +134,7 @@ class Newcomer(Page):
                                   r"preload ≤ 300 N, the end of its range: 1 % looser, at 303 N, changes peak power by \+\S+ m?W "
                                   r"\(\S+ %\) or wear intensity at 80 rpm by -"),
             "tolerances": (r"90\.\d+ % of the motors keep every limit",
-                           r"stall torque ≥ 750 mN·m: kept by \S+ % of the motors; 1 % looser, at 742\.5 mN·m, the yield is 9\d\.\d+ %"),
+                           r"stall torque ≥ 750 mN·m: kept by \S+ % of the motors; loosened by 1 %, to 742\.5 mN·m, the yield is 9\d\.\d+ %"),
         }
         for name, patterns in expected.items():
             with self.subTest(name):
@@ -148,7 +148,7 @@ class Newcomer(Page):
 
     def test_two_efficiencies_are_told_apart(self):
         self.open(self.result("optimize-ring-60"))
-        self.assertIn("efficiency counts the power lost in the vibrating stator as well, so it is the smaller one", self.text("main"))
+        self.assertIn("Efficiency also includes the loss in the vibrating stator, so it is smaller", self.text("main"))
 
     def test_parts_of_the_motor_are_named(self):
         self.open(self.result("optimize-ring-60", *NARROW))

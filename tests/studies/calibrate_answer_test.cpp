@@ -91,28 +91,29 @@ TEST_CASE("estimates stand with their intervals in one unit", "[studies][calibra
                               "parameter | value | low | high\n"
                               "kinetic_friction | 0.2 | 0.19 | 0.21\n"
                               "amplitude | 1.5 um | 1.4 um | 1.6 um\n"));
-  CHECK_THAT(text, Contains("\nHow well it fits\n4 points, residual rms 1 mN.m, largest 2 mN.m of "
-                            "torque_at(28.65 rpm) (measured - fitted).\n"));
+  CHECK_THAT(text, Contains("\n"
+                            "Quality of the fit\n"
+                            "4 points, residual rms 1 mN.m, largest 2 mN.m of torque_at(28.65 rpm) "
+                            "(measured - fitted).\n"));
   // 3 rad/s are 3 * 30 / pi = 28.648 rpm.
   result.estimates[0].bound = Bound::max;
   result.estimates[0].followers = {{"amplitude", 0.5}, {"preload", -1}};
   result.estimates[1].low = result.estimates[1].high = kNaN;
   result.undetermined = {{{"amplitude"}, kNaN}};
   CHECK_THAT(barred(sections_text(result)),
-             Contains("kinetic_friction | 0.2 | 0.19 | 0.21 | held by its max\n"
+             Contains("kinetic_friction | 0.2 | 0.19 | 0.21 | at its max\n"
                       "amplitude | 1.5 um | - | - | not determined\n"));
-  CHECK_THAT(
-      headline_text(result, "undetermined"),
-      Contains("kinetic_friction 0.2 (held by its max), amplitude 1.5 um (not determined)."));
-  CHECK(noted(result,
-              "kinetic_friction is held by its max: the other estimates and their intervals hold "
-              "for 0.2. With 1 % more of it they would change: +0.5 % amplitude and -1 % "
-              "preload."));
+  CHECK_THAT(headline_text(result, "undetermined"),
+             Contains("kinetic_friction 0.2 (at its max), amplitude 1.5 um (not determined)."));
+  CHECK(
+      noted(result,
+            "kinetic_friction is at its max: the other estimates and their intervals are valid for "
+            "0.2. If it were 1 % larger, they would change: +0.5 % amplitude and -1 % preload."));
   result.estimates[0].bound = Bound::min;
   result.estimates[0].followers.clear();
   CHECK(noted(result,
-              "kinetic_friction is held by its min: the other estimates and their "
-              "intervals hold for 0.2."));
+              "kinetic_friction is at its min: the other estimates and their intervals are valid "
+              "for 0.2."));
 }
 
 TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies][calibrate]") {
@@ -161,7 +162,7 @@ TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibra
   start(result, optim::Outcome::failed, {});
   CHECK(headline_text(result, "failed") ==
         "No fit was found. The motor has no torque at one of the speeds measured.\n");
-  CHECK_THAT(sections_text(result), StartsWith("The points\n"));  // and nothing else
+  CHECK_THAT(sections_text(result), StartsWith("Points\n"));  // and nothing else
   const Json json = answer_json(result);
   CHECK(json["estimates"].empty());
   CHECK(json["residual_rms"].is_null());
@@ -171,22 +172,21 @@ TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibra
 
 TEST_CASE("torques in another unit are recognized by their size", "[studies][calibrate][words]") {
   // Root mean square of 0.5, 0.4, 0.3, 0.2: sqrt(0.54 / 4) = 0.3674.
-  CHECK_THAT(
-      note(fitted_by(0.25), "The torques measured are "),
-      StartsWith("The torques measured are 4 times larger than those of the motor (root mean "
-                 "squares 367 mN.m and 91.9 mN.m)"));
-  CHECK_THAT(note(fitted_by(4), "The torques measured are "),
-             StartsWith("The torques measured are 4 times smaller than those of the motor"));
+  CHECK_THAT(note(fitted_by(0.25), "The measured torques are "),
+             StartsWith("The measured torques are 4 times larger than those of the motor (root "
+                        "mean squares 367 mN.m and 91.9 mN.m)"));
+  CHECK_THAT(note(fitted_by(4), "The measured torques are "),
+             StartsWith("The measured torques are 4 times smaller than those of the motor"));
   for (const double factor : {0.34, 2.9, 0.0}) {  // not far, or nothing to compare
     CHECK(fitted_by(factor).poor());
-    CHECK(note(fitted_by(factor), "The torques measured are ").empty());
+    CHECK(note(fitted_by(factor), "The measured torques are ").empty());
   }
   CalibrateResult still = fitted_by(1);
   for (auto& point : still.data) point.value = 0;
   still.neighbours = optim::NeighbourTest{20, 0.9, 1e-4};
   CHECK(still.poor());
-  CHECK(note(still, "The torques measured are ").empty());
-  CHECK(note(fit(), "The torques measured are ").empty());  // a good fit is not doubted
+  CHECK(note(still, "The measured torques are ").empty());
+  CHECK(note(fit(), "The measured torques are ").empty());  // a good fit is not doubted
 }
 
 TEST_CASE("a motor that brakes where the points drive has speeds of another unit",
@@ -221,14 +221,15 @@ TEST_CASE("parameters that count only in combination: the text says which change
   CalibrateResult result = fit();
   result.undetermined = {{{"amplitude"}, kNaN}};
   CHECK(noted(result,
-              "The data do not determine amplitude: give it in the motor, do not estimate it."));
+              "The data do not determine amplitude: give it in the motor; do not estimate it."));
   const std::string together =
-      "kinetic_friction and preload act only in combination: the data do not tell them apart. Give "
-      "one of them in the motor, do not estimate it.";
+      "kinetic_friction and preload act only in combination: the data cannot distinguish them. "
+      "Give one of them in the motor; do not estimate it.";
   result.undetermined = {{{"kinetic_friction", "preload"}, -1}};
-  CHECK(noted(result, together + " 1 % more kinetic_friction is undone by 1 % less preload."));
+  CHECK(noted(result, together + " 1 % more kinetic_friction is compensated by 1 % less preload."));
   result.undetermined[0].undone_by = 2.5;
-  CHECK(noted(result, together + " 1 % more kinetic_friction is undone by 2.5 % more preload."));
+  CHECK(
+      noted(result, together + " 1 % more kinetic_friction is compensated by 2.5 % more preload."));
   result.undetermined[0].undone_by = kNaN;
   CHECK(noted(result, together));
 }
@@ -237,7 +238,8 @@ TEST_CASE("estimates that are hard to tell apart are named in pairs",
           "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.correlation = {1, -0.96, -0.96, 1};
-  CHECK(noted(result, "kinetic_friction and amplitude are hard to tell apart: correlation -0.96."));
+  CHECK(
+      noted(result, "kinetic_friction and amplitude are strongly correlated: coefficient -0.96."));
   result.correlation = {1, 0.95, 0.95, 1};
   CHECK(note(result, "kinetic_friction and amplitude").empty());
 }
@@ -292,16 +294,15 @@ TEST_CASE("intervals of little use, and those that the range cuts off, are named
   CalibrateResult result = fit();
   CHECK(std::string(result.verdict()) == "fitted");
   result.estimates[0].low = 0.06;
-  CHECK(
-      noted(result,
-            "The points say little about kinetic_friction: the ends of its interval differ by more "
-            "than a factor of 3."));
+  CHECK(noted(result,
+              "The points determine only poorly kinetic_friction: the ends of its interval differ "
+              "by more than a factor of 3."));
   CHECK(std::string(result.verdict()) == "undetermined");
   CHECK_THAT(sections_text(result), Contains("hardly determined\n"));
   result.estimates[0].low_cut = true;
   CHECK(noted(result,
-              "The interval of kinetic_friction ends where the range does: the points allow values "
-              "beyond it."));
+              "The interval of kinetic_friction ends at the end of its range: the points allow "
+              "values beyond it."));
   CHECK(answer_json(result)["estimates"]["kinetic_friction"]["cut_off"] == "low");
   result.estimates[0].high_cut = true;
   CHECK(
@@ -343,7 +344,7 @@ TEST_CASE("starts are reported by where they ended", "[studies][calibrate][words
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
   CHECK(calibration_notes(result).empty());  // one start needs no report
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
-  CHECK(noted(result, "All 2 starts ended in the same place."));
+  CHECK(noted(result, "All 2 starts ended in the same optimum."));
   result.undetermined = {{{"kinetic_friction", "amplitude"}, kNaN}};
   CHECK(noted(result, "All 2 starts ended in the same valley."));
   result.undetermined.clear();
@@ -351,10 +352,10 @@ TEST_CASE("starts are reported by where they ended", "[studies][calibrate][words
   CHECK(note(result, "All ").empty());
   CHECK(noted(result, "1 of 3 starts did not reach an optimum; summary.json says why."));
   result.optima.push_back({{0.3, 1e-6}, 0.002, 1, false, {}});
-  CHECK(noted(result,
-              "3 starts ended in 2 different places; the first in the table has the smallest "
-              "residuals."));
-  CHECK(noted(result, "With so many places more starts may find a better one: try starts: 20."));
+  CHECK(noted(
+      result,
+      "3 starts ended in 2 different optima; the first in the table has the smallest residuals."));
+  CHECK(noted(result, "With so many optima, more starts may find a better one: try starts: 20."));
   CHECK_THAT(barred(sections_text(result)),
              Contains("\nstarts | residual rms | kinetic_friction | amplitude | remark\n"
                       "3 | 1 mN.m | 0.2 | 1.5 um | the answer\n"
@@ -362,23 +363,24 @@ TEST_CASE("starts are reported by where they ended", "[studies][calibrate][words
   CHECK(result.equals() == 1);
   result.optima[1].fits_as_well = true;
   CHECK(std::string(result.verdict()) == "several");
-  CHECK_FALSE(note(result, "The data cannot tell 2 different motors apart").empty());
-  CHECK_THAT(barred(sections_text(result)), Contains("1 | 2 mN.m | 0.3 | 1 um | fits as well\n"));
+  CHECK_FALSE(note(result, "The data cannot distinguish 2 different motors").empty());
+  CHECK_THAT(barred(sections_text(result)),
+             Contains("1 | 2 mN.m | 0.3 | 1 um | fits equally well\n"));
 }
 
 TEST_CASE("what leaves no doubt, or no way to tell, is said", "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.degrees_of_freedom = 0;
   CHECK(noted(result,
-              "As many points as parameters: no residuals are left that show how good "
-              "the estimates are."));
+              "There are as many points as parameters, so there are no residuals that show how "
+              "good the estimates are."));
   result.exact = true;
   CHECK(noted(result, "The points lie on the curve to rounding."));
   CHECK(answer_json(result)["fit"]["exact"] == true);
   result.static_ratio = 1.25;
-  CHECK(noted(result,
-              "static_friction is 1.25 times kinetic_friction, as in the motor, and "
-              "followed it."));
+  CHECK(noted(
+      result,
+      "static_friction is 1.25 times kinetic_friction, as in the motor, and changed with it."));
   result.chi_square = 0;
   result.degrees_of_freedom = 1;
   CHECK_THAT(sections_text(result), Contains("with 1 degree of freedom"));
@@ -390,6 +392,6 @@ TEST_CASE("parameters that are all held leave nothing that was fitted",
   for (auto& one : result.estimates) one.bound = Bound::max;
   const std::vector<std::string> notes = calibration_notes(result);
   REQUIRE(notes.size() == 2);  // neither a word on the misfit nor on each bound
-  CHECK_THAT(notes[0], StartsWith("Every parameter is held by an end of its range"));
-  CHECK_THAT(notes[1], StartsWith("The torques measured are 4 times larger"));
+  CHECK_THAT(notes[0], StartsWith("Every parameter is at an end of its range"));
+  CHECK_THAT(notes[1], StartsWith("The measured torques are 4 times larger"));
 }

@@ -119,7 +119,7 @@ TEST_CASE("friction makes up for preload on the plateau (L5.1)",
     CHECK(move->slopes[0] == Approx(-friction / move->held.value).epsilon(1e-7));
   }
   CHECK_THAT(barred(run.text()),
-             Contains("How the answer changes if a fixed parameter is 1 % larger") &&
+             Contains("Change of the answer if a fixed parameter is 1 % larger") &&
                  Contains("\npreload | 160 N | -1 %\n"));
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("wrong readings are named by their lines, and count little under Huber
   CHECK(named(squares.result()) == wrong);
   CHECK_THAT(squares.text(), Contains("Outlier points.csv:9: its torque at 40 rpm is") &&
                                  Contains("above the motor that the other points give") &&
-                                 Contains("'loss: huber', under which outliers count little."));
+                                 Contains("'loss: huber', which gives outliers little weight."));
   one.more = "starts: 1, loss: huber";
   const Run huber(one.file(csv));
   CHECK(named(huber.result()) == wrong);
@@ -133,8 +133,8 @@ TEST_CASE("a fit under Huber's loss that does not settle says so", "[studies][ca
   const Run run(one.file(csv));
   CHECK(run.answer.outcome != "fitted");
   const char* const why =
-      "The search stopped short of the least residuals: parameters and scatter did not settle in "
-      "60 rounds.";
+      "The search ended before it reached the smallest residuals: parameters and scatter did not "
+      "settle in 60 rounds.";
   CHECK_THAT(run.text(), Contains(why));
   CHECK_THAT(run.json(),
              Contains(why) && Contains("\"unfinished\":\"parameters and scatter did not"));

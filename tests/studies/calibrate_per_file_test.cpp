@@ -262,5 +262,5 @@ TEST_CASE("values per file that cannot be are refused", "[studies][calibrate][er
   CHECK_THAT(complaint(wrong), Contains("two tables or more, each with a name of its own"));
   wrong.data = "[a.csv, b.csv]";
   wrong.more = "derived: {preload: \"700 N * kinetic_friction\"}";
-  CHECK_THAT(complaint(wrong), Contains("study.per_file: beside 'derived'"));
+  CHECK_THAT(complaint(wrong), Contains("study.per_file: given together with 'derived'"));
 }

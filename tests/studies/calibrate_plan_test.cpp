@@ -158,7 +158,7 @@ TEST_CASE("a column too short for a scatter of its own is refused with its place
           Contains("points.csv:1:7: torque: 5 numbers; "));
   one.more = "scatter: by-column, loss: huber";
   CHECK_THROWS_WITH(one.file("speed,torque\n"),
-                    Contains("study.loss: 'huber' beside 'scatter: by-column'"));
+                    Contains("study.loss: 'huber' together with 'scatter: by-column'"));
 }
 
 TEST_CASE("a planned impedance names its frequency, and no preload", "[studies][calibrate]") {

@@ -77,7 +77,7 @@ TEST_CASE("a fit to errors in series says how much wider its intervals are",
     const Run run(one.file(drifting(truth, noise, 0.5)));
     if (!run.result().serial || run.result().poor()) continue;
     CHECK(run.result().serial->widening >= 1);
-    CHECK(run.text().find("Neighbouring residuals are alike") != std::string::npos);
+    CHECK(run.text().find("Neighbouring residuals are correlated") != std::string::npos);
     CHECK(run.json().find("\"serial\"") != std::string::npos);
     break;
   }

@@ -108,7 +108,7 @@ TEST_CASE("modulus and thickness of an elastic layer act only in combination",
   CHECK(std::isnan(result.estimates[1].high));
   CHECK(std::isfinite(result.estimates[2].low));
   CHECK_THAT(run.text(), Contains("youngs_modulus and thickness act only in combination"));
-  CHECK_THAT(run.text(), Contains("1 % more youngs_modulus is undone by 1 % more thickness"));
+  CHECK_THAT(run.text(), Contains("1 % more youngs_modulus is compensated by 1 % more thickness"));
 }
 
 TEST_CASE("a parameter without influence is named alone", "[studies][calibrate]") {
@@ -184,7 +184,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
   CHECK(result.optima[0].starts == 2);
   CHECK(result.optima[1].values[0] == 0.4);
   const std::string text = headline_text(result, "fitted");
-  CHECK_THAT(text, Contains("5 starts ended in 2 different places"));
+  CHECK_THAT(text, Contains("5 starts ended in 2 different optima"));
   CHECK_THAT(text, Contains("2 of 5 starts did not reach an optimum"));
   CHECK(calibration({fit}, {{}, {}}).outcome == "failed");
 }
@@ -205,7 +205,7 @@ TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
   const KindAnswer answer = calibration(asked, {best});
   CHECK(answer.outcome == "feasible");
   CHECK_THAT(headline_text(answer.answer, answer.outcome),
-             Contains("stopped short of the least residuals: it went round and round."));
+             Contains("ended before it reached the smallest residuals: it went round and round."));
 }
 
 TEST_CASE("an evaluation takes as much room for many points as for few (L1.2)",
@@ -299,9 +299,9 @@ TEST_CASE("wrong files of points are refused with place and remedy",
       {"speed,torque\n1,nan\n", "points.csv:2:3: torque: 'nan' is not a number"},
       {"speed,torque,weight\n1,2,0\n", "points.csv:2:5: weight: '0'; must be more than 0"},
       {"speed,torque,weight\n1,2,1e308\n2,2,1e-20\n3,1,1e308\n",
-       "points.csv:3:5: weight: the weight of the point is negligible beside the others"},
+       "points.csv:3:5: weight: the weight of the point is negligible compared with the others"},
       {"speed,torque,torque_sd\n1,2,1\n2,2,1e-200\n3,1,1e-200\n",
-       "points.csv:2:5: torque_sd: the weight of the point is negligible beside the others"},
+       "points.csv:2:5: torque_sd: the weight of the point is negligible compared with the others"},
       {"speed,torque,torque_sd\n1,2,1e-150\n2,2,1e-300\n3,1,1e-200\n", "ok"},
       {"speed,torque\n1,\"2\"x\n", "points.csv:2:1: a quotation mark that cannot stand there"},
       {"speed,torque\n1,2\n2,2\n", "points.csv: 2 points cannot determine 3 parameters"},

@@ -83,8 +83,8 @@ TEST_CASE("two motors that fit two points to rounding are both named", "[studies
     CHECK(Motor(design).operating_point(100 * kRpm).torque == Approx(0.757).margin(1e-8));
     CHECK(Motor(design).operating_point(130 * kRpm).torque == Approx(0.43).margin(1e-8));
   }
-  CHECK_THAT(run.text(), Contains("The data cannot tell 2 different motors apart"));
-  CHECK_THAT(run.text(), Contains("fits as well"));
+  CHECK_THAT(run.text(), Contains("The data cannot distinguish 2 different motors"));
+  CHECK_THAT(run.text(), Contains("fits equally well"));
 }
 
 TEST_CASE("combinations that the points cannot see are named, in ten cases",

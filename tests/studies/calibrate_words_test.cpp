@@ -19,7 +19,7 @@ TEST_CASE("a bound that holds an estimate is named", "[studies][calibrate]") {
   const auto& estimate = run.result().estimates[0];
   CHECK(estimate.parameter.value == 0.2);
   CHECK(estimate.bound == CalibrateResult::Bound::max);
-  CHECK_THAT(run.text(), Contains("held by its max"));
+  CHECK_THAT(run.text(), Contains("at its max"));
   CHECK(run.result().poor());  // and the curve cannot follow the points
   CHECK(run.answer.outcome == "poor");
 }
@@ -37,8 +37,9 @@ TEST_CASE("a bound that holds a factor of a product moves the other factor the o
   // preload lowers the torque by widening the contact, which friction makes up for.
   CHECK(preload.followers[0].percent < -0.5);
   CHECK(preload.followers[0].percent > -1.5);
-  CHECK_THAT(run.text(), Contains("preload is held by its max"));
-  CHECK_THAT(run.text(), Contains("hold for 140 N. With 1 % more of it they would change: -"));
+  CHECK_THAT(run.text(), Contains("preload is at its max"));
+  CHECK_THAT(run.text(),
+             Contains("are valid for 140 N. If it were 1 % larger, they would change: -"));
 }
 
 TEST_CASE(
@@ -54,8 +55,8 @@ TEST_CASE(
   CHECK(run.result().at_bounds());
   const auto bound = factor < 1 ? CalibrateResult::Bound::min : CalibrateResult::Bound::max;
   CHECK(run.result().estimates[0].bound == bound);
-  CHECK_THAT(run.text(), Contains(factor < 1 ? "held by its min" : "held by its max"));
-  CHECK_THAT(run.text(), Contains("Every parameter is held by an end of its range"));
+  CHECK_THAT(run.text(), Contains(factor < 1 ? "at its min" : "at its max"));
+  CHECK_THAT(run.text(), Contains("Every parameter is at an end of its range"));
   CHECK_THAT(run.text(), Contains("check the unit of torque in the data file"));
   CHECK_THAT(run.json(), Contains("check the unit of torque in the data file"));
 }
@@ -154,9 +155,12 @@ TEST_CASE("three points whose rated one is missed visibly are no fit", "[studies
   const Run run(one.file("speed [rpm],torque [N.m]\n0,1.0\n100,0.5\n150,0\n"));
   REQUIRE(run.result().residual_rms < 0.1);
   CHECK(run.answer.outcome == "poor");
-  CHECK_THAT(run.text(), Contains("The fit is poor: the residuals are large") &&
-                             Contains(" It misses the torque at ") &&
-                             Contains("missed by 5 % of itself or 2 % of the largest."));
+  CHECK_THAT(
+      run.text(),
+      Contains("The fit is poor: the residuals are large") &&
+          Contains(" It misses the torque at ") &&
+          Contains(
+              "a deviation of 5 % of the number or of 2 % of the largest number is accepted."));
 }
 
 TEST_CASE("a residual of minus nothing is nothing", "[studies][calibrate]") {
@@ -203,7 +207,7 @@ TEST_CASE("equal readings that the motor misses alike are called nearly equal",
       "no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque [N.m],holding_torque_sd [N.m],"
       "preload [N]\n140,1,0.9,0.02,160\n140,1,0.9,0.02,165\n140,1,0.9,0.02,170\n"));
   CHECK_THAT(run.text(), Contains("The 3 residuals of no-load speed in order of preload are nearly "
-                                  "equal: chance makes neighbours as much alike with p = ") &&
+                                  "equal; independent residuals would be as similar with p = ") &&
                              Contains("the motor misses each of these numbers by the same amount"));
   // All equal: the probability is below the error of its integral.
   CalibrateResult result = missed_by(0.1);
@@ -211,6 +215,6 @@ TEST_CASE("equal readings that the motor misses alike are called nearly equal",
   result.data.push_back(result.data.front());
   result.neighbours = optim::NeighbourTest{3, 1, 0};
   CHECK_THAT(sections_text(result),
-             Contains("The 3 residuals of torque in order of speed are nearly "
-                      "equal: chance makes neighbours as much alike with p < 1e-06."));
+             Contains("The 3 residuals of torque in order of speed are nearly equal; independent "
+                      "residuals would be as similar with p < 1e-06."));
 }

@@ -320,10 +320,9 @@ TEST_CASE("a choice that cannot be is refused at its place", "[studies][choose][
   CHECK_THAT(said("{lining: [hard.yaml, soft.yaml]}", "{E: {min: 1 GPa, max: 2 GPa}}"),
              Contains("study.variables.E: youngs_modulus is varied, and 'hard.yaml' of 'lining' "
                       "gives it too; leave it out here, or in the files of 'lining'"));
-  CHECK_THAT(
-      said("{lining: [alternative.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
-      Contains(
-          "'alternative.yaml' of 'lining' gives shear_modulus, which cannot be given beside it"));
+  CHECK_THAT(said("{lining: [alternative.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
+             Contains("'alternative.yaml' of 'lining' gives shear_modulus, which cannot be given "
+                      "together with it"));
   CHECK_THAT(said("{lining: [hard.yaml]}", preload, "derived: {loss_factor: \"0.1\"}, "),
              Contains("study.derived.loss_factor: loss_factor is derived, and 'hard.yaml'"));
   CHECK_THAT(said("{first: [hard.yaml], second: [soft.yaml]}", preload),

@@ -102,7 +102,7 @@ TEST_CASE("a wrong header is refused with all that is wrong", "[studies][tables]
       "mm'\n"
       "t.csv:1: column 'preload [foo]': 'foo': unknown unit 'foo'; expected a force [N] such as "
       "'160 N'\n"
-      "t.csv:1: column 'G': cannot be given beside 'nu'; give one of the two");
+      "t.csv:1: column 'G': cannot be given together with 'nu'; give one of the two");
   CHECK_THROWS_WITH(result_of("thickness,h [mm]\n", "preload"),
                     "t.csv:1: column 'h': the parameter is given twice; leave one of them out");
   CHECK_THROWS_WITH(result_of("id,colour\n", "preload"),

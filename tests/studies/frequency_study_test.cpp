@@ -76,7 +76,7 @@ TEST_CASE("a frequency study keeps to its range, direction and load", "[studies]
 TEST_CASE("what makes no frequency study says why", "[studies][frequency]") {
   CHECK_THROWS_WITH(Sweeps("  points: 5\n", "ring-60"), Catch::Contains("voltage"));
   CHECK_THROWS_WITH(Sweeps("  torque: 1 N.m\n  speed: 1 rpm\n"),
-                    Catch::Contains("cannot be given beside 'torque'"));
+                    Catch::Contains("cannot be given together with 'torque'"));
   CHECK_THROWS_WITH(Sweeps("  from: 42 kHz\n  to: 40 kHz\n"), Catch::Contains("from"));
 }
 
@@ -95,5 +95,5 @@ TEST_CASE("a family over the load is a sweep under each of its loads", "[studies
   CHECK(family.answer().family->name == "load_torque");
   CHECK(verify_study(family.folder.path("out")).complaints.empty());
   CHECK_THROWS_WITH(Sweeps("  family: {voltage: [65 V, 120 V]}\n  torque: [0 N.m, 0.3 N.m]\n"),
-                    Catch::Contains("several loads cannot be given beside 'family'"));
+                    Catch::Contains("several loads cannot be given together with 'family'"));
 }

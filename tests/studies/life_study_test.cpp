@@ -67,8 +67,8 @@ TEST_CASE("a life study tells when a life ends and why", "[studies][life]") {
   CHECK(std::fabs(motor.points.back().wear.seconds / expected.seconds - 1) <= 1e-6);
   CHECK(motor.points.front().margins.at(0) == 1);
   CHECK(std::fabs(motor.points.back().margins.at(0)) <= 1e-12);
-  CHECK(summary_text(result).find("lives for") != std::string::npos);
-  CHECK(summary_text(result).find("useless for wear") != std::string::npos);
+  CHECK(summary_text(result).find("has a life of") != std::string::npos);
+  CHECK(summary_text(result).find("not valid for wear") != std::string::npos);
   // A start voltage ends it earlier.
   design.wear->until = {{{Metric::start_voltage}, -HUGE_VAL, 120, "start_voltage <= 120 V"}};
   const StudyResult limited = lived({.torque = 0.5}, design);
@@ -86,7 +86,7 @@ TEST_CASE("a family of lives tells the longest", "[studies][life]") {
     CHECK(one.life.seconds ==
           life(with(worn_60(), Parameter::preload_spring, one.value), {Argument::torque, 0.5, 0})
               .seconds);
-  CHECK(summary_text(result).find("lives longest") != std::string::npos);
+  CHECK(summary_text(result).find("has the longest life") != std::string::npos);
 }
 
 TEST_CASE("a motor without wear, or without a load, is refused with a sentence",

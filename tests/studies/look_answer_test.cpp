@@ -50,13 +50,12 @@ TEST_CASE("a sweep says where each metric is least and most", "[studies][sweep][
   const SweepResult result = sweep();
   CHECK(headline_text(result) ==
         "6 designs.\n"
-        "The stall_torque runs from 400 mN.m to 800 mN.m with amplitude 2 um, preload 200 N.\n");
+        "The stall_torque ranges from 400 mN.m to 800 mN.m with amplitude 2 um, preload 200 N.\n");
   CHECK(barred(sections_text(result)) ==
         "Spread of the metrics\n"
         "metric | lowest | median | highest | designs\n"
-        "stall_torque | 400 mN.m | 500 mN.m | 800 mN.m | 6\n"
-        "\n"
-        "The most and the least\n"
+        "stall_torque | 400 mN.m | 500 mN.m | 800 mN.m | 6\n\n"
+        "Extremes\n"
         "metric | lowest at | highest at\n"
         "stall_torque | amplitude 1 um, preload 100 N | amplitude 2 um, preload 200 N\n");
   const Json json = answer_json(result);
@@ -120,7 +119,7 @@ TEST_CASE("a family says which of its curves lack something", "[studies][curve][
   result.members[1].failed = 7;
   CHECK(barred(sections_text(result)) ==
         "Metrics\n"
-        "amplitude 2 um: 7 of 51 points without an answer.\n"
+        "amplitude 2 um: 7 of 51 points could not be computed.\n"
         "metric | amplitude 1 um | amplitude 2 um\n"
         "stall_torque | 500 mN.m | - (lift-off)\n"
         "peak_power | 3 W | 3 W\n"

@@ -160,7 +160,7 @@ TEST_CASE("a duty that only a controller holds says so", "[studies][map]") {
   const telling::Table& table = sections.at(1).tables.at(0);
   CHECK(telling::written(table.rows[0][2], telling::Writing::typed) == "held");
   CHECK(telling::written(table.rows[1][2], telling::Writing::typed) ==
-        "held by the control only: a drive that stays would lose it");
+        "held only with speed control: with a constant drive this point is unstable");
 }
 
 TEST_CASE("a quantity that is no column of a map becomes one", "[studies][map]") {

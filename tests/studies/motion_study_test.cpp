@@ -155,7 +155,7 @@ TEST_CASE("a motor that does not turn is not said to, nor one that speeds up to 
   CHECK(summary_text(moved(start_and_stop(), free)).find("does not turn") != std::string::npos);
   MotorDesign heavy = moving_motor();
   heavy.load = ShaftLoad{.inertia = 1};
-  CHECK(summary_text(moved(start_and_stop(), heavy)).find("is still getting faster") !=
+  CHECK(summary_text(moved(start_and_stop(), heavy)).find("is still becoming faster") !=
         std::string::npos);
 }
 

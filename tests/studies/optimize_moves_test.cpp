@@ -79,7 +79,7 @@ TEST_CASE("the preload for a duty moves as friction times radius says (L5.2)",
     REQUIRE(move != nullptr);
     CHECK_THAT(move->slopes[0], WithinRel(-preload / move->held.value, 1e-6));
   }
-  CHECK_THAT(s.text(), Contains("How the answer changes if a fixed parameter is 1 % larger") &&
+  CHECK_THAT(s.text(), Contains("Change of the answer if a fixed parameter is 1 % larger") &&
                            Contains("If contact_radius were 26.77 mm instead of 26.5 mm, preload "
                                     "would be 93.4 N instead of 94.34 N."));
   CHECK_THAT(s.json(), Contains("\"moves\":{\"") && !Contains("moves_missing"));
@@ -117,6 +117,6 @@ TEST_CASE("an optimum without a derivative says why", "[studies][optimize]") {
                "{min: 1 um, max: 2 um}}, maximize: torque_at(1 rpm), solver: {starts: 1}}"));
   CHECK(s.optimum().moves.empty());
   CHECK_FALSE(s.optimum().unmoved.empty());
-  CHECK_THAT(s.text(), Contains("How the answer changes with a fixed parameter is unknown: "));
+  CHECK_THAT(s.text(), Contains("The change of the answer with a fixed parameter is unknown: "));
   CHECK_THAT(s.json(), Contains("\"moves_missing\":\""));
 }

@@ -167,7 +167,7 @@ TEST_CASE("a layer that acts through E / h alone leaves a valley, which is named
   });
   REQUIRE(valley != findings.end());
   CHECK(valley->names == std::vector<std::string>{"thickness", "youngs_modulus"});
-  CHECK(s.text().find("A valley: thickness and youngs_modulus") != std::string::npos);
+  CHECK(s.text().find("Flat direction: thickness and youngs_modulus") != std::string::npos);
 }
 
 TEST_CASE("variables without influence are named", "[studies][optimize]") {

@@ -82,7 +82,8 @@ TEST_CASE("the gradient of an own metric is carried through derived parameters a
   }
 }
 
-TEST_CASE("an own metric is a goal of a front, and of a motor for a duty", "[studies][own]") {
+TEST_CASE("an own metric is a goal of a front, and of a motor that reaches a duty",
+          "[studies][own]") {
   DesignProblem p = free_track();
   p.minimize(area()).maximize("peak_power");
   optim::ParetoOptions few;

@@ -179,7 +179,7 @@ TEST_CASE("many limits are in order of the gain of 1 %, equals in theirs",
     }
   }
   CHECK_THAT(sections_text(result),
-             Contains("What stops the largest peak_power\n" + expected + "\n"));
+             Contains("Limits at the largest peak_power\n" + expected + "\n"));
 }
 
 TEST_CASE("1 % of a limit is worth something of either goal, the most valuable first",
@@ -194,21 +194,22 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   for (DesignReport& report : result.single_goal_ends)
     report.certificate.weights = report.certificate.prices = {1};
   result.single_goal_ends[0].constraints = {pressure(true, 2e-6, 0.04)};
-  CHECK_THAT(
-      sections_text(result),
-      Contains(
-          "\nWhat stops the knee\n"
-          "preload <= 150 N, the end of its range: 1 % looser, at 151.5 N, changes peak_power "
-          "by +150 mW (+3.75 %) or stall_torque by -37.5 mN.m.\n"
-          "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +20 mW "
-          "(+0.5 %) or stall_torque by -5 mN.m.\n"
-          "width >= 1 mm, the end of its range: it is met, but moving it by 1 % changes nothing "
-          "to first order.\n") &&
-          Contains("\nWhat stops the smallest stall_torque\n"
-                   "No limit stops the smallest stall_torque.\n") &&
-          Contains("\nWhat stops the largest peak_power\n"
-                   "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +40 mW "
-                   "(+0.8 %).\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\n"
+                      "Limits at the knee\n"
+                      "preload <= 150 N, the end of its range: 1 % looser, at 151.5 N, changes "
+                      "peak_power by +150 mW (+3.75 %) or stall_torque by -37.5 mN.m.\n"
+                      "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +20 "
+                      "mW (+0.5 %) or stall_torque by -5 mN.m.\n"
+                      "width >= 1 mm, the end of its range: it is met, but moving it by 1 % "
+                      "changes nothing to first order.\n") &&
+                 Contains("\n"
+                          "Limits at the smallest stall_torque\n"
+                          "No limit restricts the smallest stall_torque.\n") &&
+                 Contains("\n"
+                          "Limits at the largest peak_power\n"
+                          "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by "
+                          "+40 mW (+0.8 %).\n"));
   const Json json = answer_json(result);
   CHECK(json["front"][1]["constraints"][0]["gains"] == Json::array({1e-6, 1e-6 / 4}));
   CHECK(json["front"][1]["bounds"][0]["gains"] == Json::array({0.1, 0.025}));
@@ -222,8 +223,8 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   CHECK(answer_json(result)["front"][1]["bounds"][0]["gains"][1].is_null());
   // Without a knee only the ends are asked.
   result.knee = 2;
-  CHECK_THAT(sections_text(result), !Contains("What stops the knee"));
-  CHECK_THAT(sections_text(result), Contains("What stops the largest peak_power"));
+  CHECK_THAT(sections_text(result), !Contains("Limits at the knee"));
+  CHECK_THAT(sections_text(result), Contains("Limits at the largest peak_power"));
 }
 
 TEST_CASE("gains share a multiplier by the prices of the goals", "[studies][pareto]") {

@@ -131,7 +131,7 @@ TEST_CASE("names are told as one reads them, metrics at a point with their place
   CHECK(names["quantile(stall_torque, 5 %)"]["text"] == "5 % quantile of the stall torque");
   CHECK(names["lining"] == Json{{"text", "lining"}});
   CHECK(names["thickness"] == Json{{"text", "contact layer thickness"}});
-  CHECK(names["max_efficiency"]["text"] == "max efficiency (stator loss counted)");
+  CHECK(names["max_efficiency"]["text"] == "max efficiency (including stator loss)");
   // Of a front each point has limits of its own.
   CHECK(names_json(columns, Json::array({limits, limits})) == names);
 }

@@ -114,7 +114,7 @@ TEST_CASE("summary and terminal show the yield, its price and where the risk goe
                                                 value(s.optimum().best.metrics, "preload")));
   const std::string text = s.text();
   CHECK(text.find("of the motors keep all limits") != std::string::npos);
-  CHECK(text.find("This reaches the wanted share, 99 %.") != std::string::npos);
+  CHECK(text.find("This reaches the required share, 99 %.") != std::string::npos);
   CHECK(text.find("The tolerances cost") != std::string::npos);
 }
 

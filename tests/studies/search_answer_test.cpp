@@ -74,46 +74,41 @@ RelaxationState relaxation(const std::string& text, bool at_least, double amount
 TEST_CASE("an optimum says what it is, what holds it, and who found it",
           "[studies][optimize][words]") {
   const OptimizeResult result = optimum();
-  CHECK(
-      barred(sections_text(result)) ==
-      "What stops it\n"
-      "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +20 mW (+0.4 %).\n"
-      "amplitude <= 2 um, the end of its range: 1 % looser, at 2.02 um, changes peak_power by +20 "
-      "mW (+0.4 %).\n"
-      "thickness >= 300 um, the end of its range: it is met, but moving it by 1 % changes nothing "
-      "to first order.\n"
-      "limit | state | value | to spare | kept within\n"
-      "max_pressure <= 2 MPa | binds | 2 MPa | 0 Pa | 20 mPa\n"
-      "amplitude <= 2 um | binds | 2 um | 0 m | -\n"
-      "thickness >= 300 um | binds | 300 um | 0 m | -\n"
-      "contact_ratio <= 0.5 | holds | 0.4 | 0.1 | -\n"
-      "\n"
-      "The design\n"
-      "parameter | before | best\n"
-      "amplitude | 1.6 um | 2 um\n"
-      "preload | 160 N | 180 N\n"
-      "thickness | - | 300 um\n"
-      "\n"
-      "Metrics\n"
-      "metric | before | best\n"
-      "peak_power | 4 W | 5 W\n"
-      "max_pressure | 1.5 MPa | 2 MPa\n"
-      "\n"
-      "How sure it is\n"
-      "Certified by exact derivatives, independent of the solver: no small change within the "
-      "limits improves it (the slope is zero up to this share of its terms: 1.2e-07; a step "
-      "could gain at most 3 nW).\n"
-      "It is a local optimum: 2 of 3 runs of solvers from different starts ended at this value, "
-      "none within the limits at a better one. A better design far from all of them cannot be "
-      "ruled out.\n"
-      "\n"
-      "The runs of the solvers\n"
-      "The answer was found by nlopt:slsqp.\n"
-      "stage | solver | return code | peak_power | keeps limits | evaluations\n"
-      "0 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 30\n"
-      "1 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 31\n"
-      "2 | ipopt | Solve_Succeeded | 4.5 W | yes | 40\n"
-      "3 | - | - | - | no | 0\n");
+  CHECK(barred(sections_text(result)) ==
+        "Limits\n"
+        "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +20 mW (+0.4 %).\n"
+        "amplitude <= 2 um, the end of its range: 1 % looser, at 2.02 um, changes peak_power by "
+        "+20 mW (+0.4 %).\n"
+        "thickness >= 300 um, the end of its range: it is met, but moving it by 1 % changes "
+        "nothing to first order.\n"
+        "limit | state | value | to spare | kept within\n"
+        "max_pressure <= 2 MPa | binds | 2 MPa | 0 Pa | 20 mPa\n"
+        "amplitude <= 2 um | binds | 2 um | 0 m | -\n"
+        "thickness >= 300 um | binds | 300 um | 0 m | -\n"
+        "contact_ratio <= 0.5 | holds | 0.4 | 0.1 | -\n\n"
+        "Design\n"
+        "parameter | before | best\n"
+        "amplitude | 1.6 um | 2 um\n"
+        "preload | 160 N | 180 N\n"
+        "thickness | - | 300 um\n\n"
+        "Metrics\n"
+        "metric | before | best\n"
+        "peak_power | 4 W | 5 W\n"
+        "max_pressure | 1.5 MPa | 2 MPa\n\n"
+        "Verification\n"
+        "Certified by exact derivatives, independent of the solver: no small change within the "
+        "limits improves it (the slope is zero up to this share of its terms: 1.2e-07; a step "
+        "could gain at most 3 nW).\n"
+        "It is a local optimum: 2 of 3 solver runs from different starts ended at this value, and "
+        "none found a better one within the limits. A better design far from all of them is still "
+        "possible.\n\n"
+        "Solver runs\n"
+        "The answer was found by nlopt:slsqp.\n"
+        "stage | solver | return code | peak_power | keeps limits | evaluations\n"
+        "0 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 30\n"
+        "1 | nlopt:slsqp | XTOL_REACHED | 5 W | yes | 31\n"
+        "2 | ipopt | Solve_Succeeded | 4.5 W | yes | 40\n"
+        "3 | - | - | - | no | 0\n");
 }
 
 TEST_CASE("what a sample of the whole range said is told", "[studies][optimize][words]") {
@@ -130,9 +125,9 @@ TEST_CASE("what a sample of the whole range said is told", "[studies][optimize][
   result.scan = {512, 40, 3, true, 4.5};
   CHECK_THAT(
       sections_text(result),
-      Contains("3 of 512 designs sampled over the whole range (40 keep the limits) were better "
-               "than the 4.5 W that "
-               "the searches had ended at; a search from the best of them found this design.\n"));
+      Contains(
+          "3 of 512 designs sampled over the whole range (40 keep the limits) were better than the "
+          "4.5 W of the searches; a search from the best of them found this design.\n"));
   result.scan.replaced = false;
   CHECK_THAT(
       sections_text(result),
@@ -151,8 +146,8 @@ TEST_CASE("a check that holds whole numbers as they are says so", "[studies][opt
       sections_text(result),
       Contains("independent of the solver, with wavelengths held: no small change within the "
                "limits improves it (the slope") &&
-          Contains("cannot be ruled out. Each run keeps wavelengths as it is; what the limits "
-                   "above are worth is for the value found.\n"));
+          Contains("is still possible. Each run keeps wavelengths unchanged; the effect of the "
+                   "limits above is for the value found.\n"));
   result.best.certificate.second_order = false;
   CHECK_THAT(sections_text(result), Contains("within the limits improves it to first order ("));
   result.whole_ends = {{{"wavelengths", "1"}, true, 9}};
@@ -209,15 +204,17 @@ TEST_CASE("a design that is not certified says why, and what is odd about it",
   result.best.bounds.clear();
   const std::string text = sections_text(result);
   CHECK_THAT(text, !Contains("1 % looser"));
-  CHECK_THAT(text,
-             EndsWith("\n\nHow sure it is\nNot certified as an optimum: the evaluations ran out.\n"
-                      "Without influence at this design: width and thickness.\n"
-                      "A valley: preload, thickness and width can change together without changing "
-                      "the answer; this design is one of many.\n"
-                      "A valley: preload can change without changing the answer; this design is "
-                      "one of many.\n"
-                      "Derivatives differ: preload and amplitude.\n"
-                      "The goal has no slope.\n"));
+  CHECK_THAT(text, EndsWith("\n\n"
+                            "Verification\n"
+                            "Not certified as an optimum: the evaluations ran out.\n"
+                            "No influence at this design: width and thickness.\n"
+                            "Flat direction: preload, thickness and width can change together "
+                            "without changing the answer; "
+                            "this design is one of many.\n"
+                            "Flat direction: preload can change without changing the answer; this "
+                            "design is one of many.\n"
+                            "Derivatives differ: preload and amplitude.\n"
+                            "The goal has no slope.\n"));
 }
 
 TEST_CASE("limits that are broken, or that have no value, say so", "[studies][optimize][words]") {
@@ -267,7 +264,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
                         "max_torque <= 1 N.m | as it is | does not help alone\n"
                         "peak_torque <= 1 N.m | 1.25 N.m | 1.5 N.m\n"
                         "\n"));
-  CHECK_THAT(text, !Contains("Certified") && !Contains("How sure it is"));
+  CHECK_THAT(text, !Contains("Certified") && !Contains("Verification"));
   CHECK(
       headline_text(result, "infeasible") ==
       "No design keeps every limit. These cannot hold together: stall_torque >= 1 N.m; "
@@ -324,11 +321,11 @@ TEST_CASE("a limit whose two sides depend on the motor is loosened by an amount,
 TEST_CASE("without a design that keeps the limits there are no prices",
           "[studies][optimize][words]") {
   OptimizeResult result = optimum();
-  CHECK_THAT(sections_text(result), Contains("What stops it") && Contains("1 % looser"));
+  CHECK_THAT(sections_text(result), Contains("Limits\n") && Contains("1 % looser"));
   result.explanation.conflict = {"max_pressure <= 2 MPa"};
   CHECK_THAT(sections_text(result),
-             !Contains("What stops it") && !Contains("1 % looser") &&
-                 Contains("The limits at the design that breaks them least"));
+             !Contains("Limits\n") && !Contains("1 % looser") &&
+                 Contains("Limits at the design that violates them least"));
 }
 
 TEST_CASE("limits impossible alone come first, then those that exclude each other, then the ranges",

@@ -74,21 +74,21 @@ TEST_CASE("Sobol indices are told from the largest total on, then what they add 
   result.narrow = false;
   // The first indices add up to 0.8, and their upper ends to 0.111 more: less than the 0.2 that is left.
   CHECK(headline_text(result) ==
-        "stall_torque: kinetic_friction matters most (50 % of its variance), then preload.\n");
+        "stall_torque: kinetic_friction has the largest influence (50 % of its variance), then "
+        "preload.\n");
   CHECK(barred(sections_text(result)) ==
         "stall_torque\n"
         "Mean 600 mN.m, standard deviation 50 mN.m.\n"
-        "kinetic_friction matters most: alone it explains 50 % of the variance.\n"
+        "kinetic_friction has the largest influence: alone it explains 50 % of the variance.\n"
         "Interactions explain 20 %.\n"
-        "amplitude does not matter.\n"
+        "amplitude has no influence.\n"
         "variable | total | low | high | first order | low | high\n"
         "kinetic_friction | 50 % | 45 % | 55 % | 50 % | 45 % | 55 %\n"
         "preload | 45 % | 40 % | 50 % | 30 % | 25 % | 36 %\n"
-        "amplitude | 0.04 % | 0 % | 0.15 % | 0.04 % | 0 % | 0.15 %\n"
-        "\n"
+        "amplitude | 0.04 % | 0 % | 0.15 % | 0.04 % | 0 % | 0.15 %\n\n"
         "How the effects were computed\n"
         "Shares of the variance (Sobol), 1024 base samples; intervals of 95 %.\n"
-        "Some intervals are still wider than the 0.05 asked for: raise max_samples.\n");
+        "Some intervals are still wider than the 0.05 requested: raise max_samples.\n");
 
   const Json json = answer_json(result);
   CHECK(json["method"] == "sobol");
@@ -113,9 +113,11 @@ TEST_CASE("Sobol indices are told from the largest total on, then what they add 
 TEST_CASE("indices that add up to one leave nothing to interactions",
           "[studies][sensitivity][words]") {
   SensitivityResult result = sobol({sharp(0, 0), sharp(0.25, 0.25), sharp(0.75, 0.75)});
-  CHECK_THAT(barred(sections_text(result)),
-             Contains("kinetic_friction matters most: alone it explains 75 % of the variance.\n"
-                      "amplitude does not matter.\n"));
+  CHECK_THAT(
+      barred(sections_text(result)),
+      Contains(
+          "kinetic_friction has the largest influence: alone it explains 75 % of the variance.\n"
+          "amplitude has no influence.\n"));
   CHECK_THAT(sections_text(result), !Contains("max_samples"));
   CHECK_FALSE(answer_json(result).contains("width"));  // none was asked for
   // What is left, 0.2, is less than the intervals leave open: it may be nothing.
@@ -127,22 +129,26 @@ TEST_CASE("indices that add up to one leave nothing to interactions",
 TEST_CASE("an index below zero is an estimate of nothing", "[studies][sensitivity][words]") {
   const SensitivityResult result = sobol({sharp(-0.01, 0.9), sharp(0, 0.5), sharp(0, 0.4)});
   CHECK_THAT(sections_text(result),
-             Contains("amplitude matters most: alone it explains 0 % of the variance, with its "
-                      "interactions 90 %.\nInteractions explain 101 %.\n"));
+             Contains("amplitude has the largest influence: alone it explains 0 % of the variance, "
+                      "with its interactions 90 %.\n"
+                      "Interactions explain 101 %.\n"));
 }
 
 TEST_CASE("variables that do not matter are listed in one sentence",
           "[studies][sensitivity][words]") {
   SensitivityResult result = sobol({sharp(0, 0), sharp(0, 0), sharp(1, 1)});
-  CHECK_THAT(sections_text(result), Contains("\namplitude and preload do not matter.\n"));
+  CHECK_THAT(sections_text(result), Contains("\n"
+                                             "amplitude and preload have no influence.\n"));
   result.variables.push_back({"thickness", "m"});
   std::get<MetricSensitivity::Sobol>(result.metrics[0].effects).push_back(sharp(0, 0));
   CHECK_THAT(sections_text(result),
-             Contains("\namplitude, preload and thickness do not matter.\n"));
+             Contains("\n"
+                      "amplitude, preload and thickness have no influence.\n"));
   // Below a hundredth as a whole: an interval that reaches to it leaves it open.
   SobolShares& thickness = std::get<MetricSensitivity::Sobol>(result.metrics[0].effects)[3];
   thickness.first.high = thickness.total.high = 0.01;
-  CHECK_THAT(sections_text(result), Contains("\namplitude and preload do not matter.\n"));
+  CHECK_THAT(sections_text(result), Contains("\n"
+                                             "amplitude and preload have no influence.\n"));
 }
 
 TEST_CASE("indices that there are none of are dashes, and lead to no sentence",
@@ -163,12 +169,13 @@ TEST_CASE("elementary effects carry the unit of the metric", "[studies][sensitiv
                                      effect({0.05, 0.04, 0.06}, {0.01, 0.005, 0.02}),
                                      effect({0.2, 0.19, 0.21}, {0.02, 0.01, 0.03})});
   CHECK(headline_text(result) ==
-        "stall_torque: kinetic_friction matters most (200 mN.m across its range), then preload.\n");
+        "stall_torque: kinetic_friction has the largest influence (200 mN.m across its range), "
+        "then preload.\n");
   CHECK_THAT(
       barred(sections_text(result)),
-      Contains("kinetic_friction matters most: across its range it changes stall_torque by "
-               "200 mN.m on average.\n"
-               "amplitude does not matter.\n"
+      Contains("kinetic_friction has the largest influence: across its range it changes "
+               "stall_torque by 200 mN.m on average.\n"
+               "amplitude has no influence.\n"
                "variable | µ* | low | high | σ | low | high\n"
                "kinetic_friction | 200 mN.m | 190 mN.m | 210 mN.m | 20 mN.m | 10 mN.m | 30 mN.m\n"
                "preload | 50 mN.m | 40 mN.m | 60 mN.m | 10 mN.m | 5 mN.m | 20 mN.m\n"
@@ -193,24 +200,26 @@ TEST_CASE("elementary effects carry the unit of the metric", "[studies][sensitiv
 
 TEST_CASE("a metric that nothing changes says so", "[studies][sensitivity][words]") {
   const ElementaryEffect none = effect({0, 0, 0}, {0, 0, 0});
-  CHECK_THAT(sections_text(morris({none, none, none})), Contains("\nNo variable changes it.\n"));
+  CHECK_THAT(sections_text(morris({none, none, none})),
+             Contains("\n"
+                      "No variable has an influence.\n"));
 }
 
 TEST_CASE("local effects stand beside the motor where they hold", "[studies][sensitivity][words]") {
   // T = mu F_N r: 1 % more of either factor is 1 % more torque; dT/dF_N = T / F_N, dT/dmu = T / mu.
   SensitivityResult result = local({{0, 0}, {0.6 / 160, 1}, {0.6 / 0.2, 1}});
   CHECK(headline_text(result) ==
-        "stall_torque: preload matters most (1 % for 1 % more), then kinetic_friction.\n");
+        "stall_torque: preload has the largest influence (1 % for 1 % more), then "
+        "kinetic_friction.\n");
   CHECK(barred(sections_text(result)) ==
         "stall_torque: 600 mN.m\n"
-        "preload matters most: 1 % more of it changes stall_torque by 1 %.\n"
+        "preload has the largest influence: 1 % more of it changes stall_torque by 1 %.\n"
         "variable | elasticity | at | gradient\n"
         "preload | 1 % | 160 N | 3.75 mN.m per N\n"
         "kinetic_friction | 1 % | 0.2 | 3 N.m per 1\n"
-        "amplitude | 0 % | 1.6 um | 0 N.m per m\n"
-        "\n"
+        "amplitude | 0 % | 1.6 um | 0 N.m per m\n\n"
         "How the effects were computed\n"
-        "Derivatives at the motor.\n");
+        "Derivatives at the given motor.\n");
   const Json json = answer_json(result);
   CHECK(json["at"] == Json{{"amplitude", 1.6e-6}, {"preload", 160}, {"kinetic_friction", 0.2}});
   CHECK(json["metrics"]["stall_torque"] == Json{{"value", 0.6}, {"smoothness", "smooth"}});
@@ -228,15 +237,20 @@ TEST_CASE("what a gradient is good for is a sentence", "[studies][sensitivity][w
   SensitivityResult result = local({{0, 0}, {0, 0}, {0, 0}});
   CHECK_THAT(sections_text(result), !Contains("matters most"));
   result.metrics[0].smoothness = Smoothness::flat;
-  CHECK_THAT(sections_text(result),
-             Contains("\nIt sits on a plateau here: a gradient of zero holds nearby only.\n"));
+  CHECK_THAT(
+      sections_text(result),
+      Contains("\n"
+               "The metric is constant near this point: a gradient of zero holds only nearby.\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["smoothness"] == "flat");
   result.metrics[0].smoothness = Smoothness::one_sided;
-  CHECK_THAT(sections_text(result),
-             Contains("\nIt has a kink or jump here: gradients are those of one side.\n"));
+  CHECK_THAT(
+      sections_text(result),
+      Contains("\n"
+               "The metric has a kink or a jump here: the gradients are those of one side.\n"));
   result.metrics[0].smoothness = Smoothness::undefined;
   result.metrics[0].effects = MetricSensitivity::Local(3, LocalEffect{kNaN, kNaN});
-  CHECK_THAT(barred(sections_text(result)), Contains("\nIt has no derivative here.\n") &&
+  CHECK_THAT(barred(sections_text(result)), Contains("\n"
+                                                     "The metric has no derivative here.\n") &&
                                                 Contains("kinetic_friction | - | 0.2 | -\n"));
   CHECK(answer_json(result)["indices"]["stall_torque"]["preload"]["gradient"].is_null());
 }
@@ -253,9 +267,9 @@ TEST_CASE("a variable that takes whole numbers has a derivative between them",
           "[studies][sensitivity][words]") {
   SensitivityResult result = local({{0, 0}, {0, 0}, {0, 0}});
   result.variables = {{"wavelengths", "1"}, {"preload", "N"}, {"not_a_parameter", "1"}};
-  CHECK_THAT(sections_text(result),
-             EndsWith("Derivatives at the motor.\nwavelengths takes whole numbers only; its "
-                      "derivative is that between them.\n"));
+  CHECK_THAT(sections_text(result), EndsWith("Derivatives at the given motor.\n"
+                                             "wavelengths takes whole numbers only; its derivative "
+                                             "is that of the continuous model between them.\n"));
 }
 
 TEST_CASE("samples that were dropped are counted, or explained by the note",
@@ -263,8 +277,8 @@ TEST_CASE("samples that were dropped are counted, or explained by the note",
   SensitivityResult result = sobol({sharp(0, 0), sharp(0, 0), sharp(1, 1)});
   result.metrics[0].dropped = 24;
   result.metrics[0].samples = 1000;
-  CHECK_THAT(sections_text(result), Contains("deviation 50 mN.m; 24 of 1024 samples dropped for a "
-                                             "failure.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("deviation 50 mN.m; 24 of 1024 samples left out because they failed.\n"));
   result.metrics[0].note = "half of them";
   CHECK_THAT(sections_text(result), Contains("deviation 50 mN.m.\nhalf of them\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["note"] == "half of them");
@@ -274,7 +288,7 @@ TEST_CASE("samples that were dropped are counted, or explained by the note",
   result.metrics[0].value = kNaN;
   result.metrics[0].effects = MetricSensitivity::Sobol();
   CHECK_THAT(sections_text(result), StartsWith("stall_torque\nhalf of them\n"));
-  CHECK(headline_text(result) == "No effects could be computed.\n");
+  CHECK(headline_text(result) == "No effect could be computed.\n");
   CHECK(answer_json(result)["indices"]["stall_torque"].is_null());
   CHECK(answer_json(result)["metrics"]["stall_torque"]["mean"].is_null());
 }

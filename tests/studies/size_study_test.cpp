@@ -99,7 +99,7 @@ TEST_CASE("a duty at rest has no drive that follows, and says where it stands",
   };
   CHECK_NOTHROW(duty("fixed"));
   CHECK_THROWS_WITH(duty("follows"),
-                    Catch::Contains("study.duty[1].speed: '0 rpm' beside 'drive: follows'"));
+                    Catch::Contains("study.duty[1].speed: '0 rpm' together with 'drive: follows'"));
 }
 
 TEST_CASE(

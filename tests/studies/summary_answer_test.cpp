@@ -56,9 +56,9 @@ TEST_CASE("a summary without an answer is its heading and what it cost",
   result.evaluations = 1;
   result.outcome = "interrupted";
   CHECK(summary_text(result) ==
-        "tolerances (uncertainty): interrupted\n"
-        "\nThis study was interrupted; what is here is not all of it.\n"
-        "\n1 evaluation in 1.25 s\n");
+        "tolerances (uncertainty): interrupted\n\n"
+        "This study was interrupted; these results are incomplete.\n\n"
+        "1 evaluation in 1.25 s\n");
 }
 
 TEST_CASE("an answer and the doubts about it stand apart", "[studies][summary][words]") {

@@ -122,42 +122,44 @@ TEST_CASE("a yield says what was found and whether it is enough", "[studies][tel
   RobustYield yield = robust_optimum().robust->yields.front();
   const auto said = [&] { return written(yield_phrase(yield), Writing::typed); };
   CHECK(said() ==
-        "99.16 % of the motors keep all limits (99.06 % to 99.24 % by 40000 motors that the search "
-        "has not seen). This reaches the wanted share, 99 %.");
+        "99.16 % of the motors keep all limits (99.06 % to 99.24 %, from 40000 motors "
+        "drawn after the search). This reaches the required share, 99 %.");
   yield.verdict = "broken";
-  CHECK_THAT(said(), Contains("This is below the wanted share, 99 %."));
+  CHECK_THAT(said(), Contains("This is below the required share, 99 %."));
   yield.verdict = "not-distinguishable";
-  CHECK_THAT(said(), Contains("The sample cannot distinguish this from the wanted share, 99 %."));
+  CHECK_THAT(
+      said(),
+      Contains("The sample is too small to distinguish this from the required share, 99 %."));
   yield = {"probability(a)", kNaN, {0.999985, 0.99998, 0.99999}, 1000, true, ""};
   CHECK_THAT(said(),
-             Contains(", 15 in a million fail (") && Contains("weighted") && !Contains("wanted"));
+             Contains(", 15 in a million fail (") && Contains("weighted") && !Contains("required"));
 }
 
 TEST_CASE("tolerances stand by their gain, and the cheap ones may be loosened",
           "[studies][telling]") {
   const OptimizeResult result = robust_optimum();
   const std::vector<Section> list = sections(result_of(result));
-  const Section& costs = section_of(list, "What the tolerances cost");
+  const Section& costs = section_of(list, "Cost of the tolerances");
   CHECK(written(costs.tables[0].rows[0][0], Writing::typed) == "amplitude");
   CHECK(written(costs.sentences[0], Writing::typed) ==
-        "Tighten the tolerance of the amplitude (2 %) first; solve again with a tighter one to see "
-        "what it is worth. That of preload costs less than 5 % of it: try twice the spread and "
+        "Tighten the tolerance of the amplitude (2 %) first. Solve again with a tighter tolerance "
+        "to see the gain. That of preload costs less than 5 % of it: try twice the spread, and "
         "solve again.");
   OptimizeResult dear = result;
   dear.robust->tolerances[0].gain = 0.0006;  // 6 % of the first
-  CHECK_THAT(written(section_of(sections(result_of(dear)), "What the tolerances cost").sentences[0],
+  CHECK_THAT(written(section_of(sections(result_of(dear)), "Cost of the tolerances").sentences[0],
                      Writing::typed),
              !Contains("preload"));
   // Where the wanted yield is not reached there is no gain to speak of.
   dear.robust->largest_yield = 0.98;
-  CHECK(section_of(sections(result_of(dear)), "What the tolerances cost").sentences.empty());
+  CHECK(section_of(sections(result_of(dear)), "Cost of the tolerances").sentences.empty());
   CHECK_THAT(headline_text(dear, "infeasible"),
-             Contains("The wanted yield cannot be reached; the largest found is 98 %."));
+             Contains("The required yield cannot be reached; the largest found is 98 %."));
 }
 
 TEST_CASE("a limit whose worst point is not known is not explained", "[studies][telling]") {
   const std::vector<Section> list = sections(result_of(robust_optimum()));
-  const Section& risk = section_of(list, "Where the risk goes");
+  const Section& risk = section_of(list, "Causes of failures");
   CHECK_THAT(written(risk.sentences[0], Writing::typed), Contains("max_pressure <= 2 MPa"));
   CHECK(written(risk.tables[0].rows[1][4], Writing::typed) == "-");
   CHECK(written(risk.tables[0].rows[0][4], Writing::typed) == "90 %");

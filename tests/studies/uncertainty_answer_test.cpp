@@ -86,13 +86,16 @@ TEST_CASE("motors without an answer are counted where they are missed",
   UncertaintyResult result = spread();
   result.failed = 40;
   result.metrics[0].count = 970;
-  CHECK_THAT(sections_text(result), Contains("\nstall_torque: 30 motors have no value; the numbers "
-                                             "are those of the others.\n"));
+  CHECK_THAT(
+      sections_text(result),
+      Contains("\n"
+               "stall_torque: 30 motors have no value; the statistics are those of the others.\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["missing"] == 30);
   result.metrics[0].count = 999;
-  CHECK_THAT(sections_text(result),
-             Contains("\nstall_torque: 1 motor has no value; the numbers are "
-                      "those of the others.\n"));
+  CHECK_THAT(
+      sections_text(result),
+      Contains("\n"
+               "stall_torque: 1 motor has no value; the statistics are those of the others.\n"));
   // All of them: there are no others.
   result.metrics[0] = {{"stall_torque", "N.m"}, 0, {}, {}, {{0.5, {}}}};
   CHECK_THAT(barred(sections_text(result)), Contains("\nstall_torque: no motor has a value.\n") &&
@@ -106,8 +109,9 @@ TEST_CASE("a distribution beyond the admissible range says by how much",
   result.start = "../size";
   result.inadmissible = {{"preload", 0.0123}};
   CHECK_THAT(sections_text(result),
-             Contains("\n1.23 % of the distribution of preload lies "
-                      "where no motor can be; such motors have no value and break every limit.\n"));
+             Contains("\n"
+                      "1.23 % of the distribution of preload lies outside the permitted range of "
+                      "the parameter; such motors have no value and violate every limit.\n"));
   CHECK(answer_json(result)["inadmissible"] == Json{{"preload", 0.0123}});
   CHECK(answer_json(result)["start"] == "../size");
 }
@@ -116,13 +120,13 @@ TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][w
   UncertaintyResult result = with_limits();
   CHECK(headline_text(result) ==
         "87.5 % of the motors keep every limit (between 85 % and 90 % with 95 % confidence).\n"
-        "The limit that costs most is max_pressure <= 2 MPa: 90 % keep it.\n");
+        "The limit that costs the most yield is max_pressure <= 2 MPa: 90 % keep it.\n");
   CHECK_THAT(barred(sections_text(result)),
              StartsWith("Yield\n"
                         "limit | kept by | at least | at most\n"
                         "stall_torque >= 0.5 N.m | 95 % | 93 % | 97 %\n"
                         "max_pressure <= 2 MPa | 90 % | 88 % | 92 %\n"
-                        "all of them | 87.5 % | 85 % | 90 %\n"));
+                        "all limits | 87.5 % | 85 % | 90 %\n"));
   const Json json = answer_json(result);
   CHECK(json["yield"] == Json{{"value", 0.875}, {"low", 0.85}, {"high", 0.9}});
   CHECK(json["limits"][0]["sense"] == "at least");
@@ -138,12 +142,13 @@ TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][w
 
   result.no_value = 12;
   CHECK_THAT(sections_text(result),
-             Contains("\n12 motors have no value for a limit and count as not "
-                      "keeping it.\n"));
+             Contains("\n"
+                      "12 motors have no value for a limit and count as failing.\n"));
   CHECK(answer_json(result)["without_value"] == 12);
   result.no_value = 1;
-  CHECK_THAT(sections_text(result), Contains("\n1 motor has no value for a limit and counts as not "
-                                             "keeping it.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\n"
+                      "1 motor has no value for a limit and counts as failing.\n"));
 }
 
 TEST_CASE("where all motors keep the limits, no limit costs most",
@@ -188,9 +193,10 @@ TEST_CASE("failing motors are told in a million, with what causes them",
   result.yield = torque.kept;
   result.causes = torque.causes;
   result.tighter = {{1e-8, 0.9e-8, 1.1e-8}, {kNaN, kNaN, kNaN}};
-  CHECK_THAT(headline_text(result),
-             StartsWith("2 in a million motors break a limit (between 1.8 and 2.2 with 95 % "
-                        "confidence).\n"));
+  CHECK_THAT(
+      headline_text(result),
+      StartsWith(
+          "2 in a million motors violate a limit (between 1.8 and 2.2 with 95 % confidence).\n"));
   const std::string text = barred(sections_text(result));
   CHECK_THAT(text, Contains("stall_torque >= 0.5 N.m | 2 | 1.8 | 2.2 | 4.61\n"));
   CHECK_THAT(text, Contains("stall_torque >= 0.5 N.m | preload 148 N, kinetic_friction 0.13\n"));
@@ -207,7 +213,6 @@ TEST_CASE("failing motors are told in a million, with what causes them",
   // Without a failing motor only what so many motors could miss is said.
   result.broken = {0, 0, 1.8e-3};
   result.causes.clear();
-  CHECK_THAT(headline_text(result),
-             StartsWith("No motor was found that breaks a limit: with 95 % confidence fewer than "
-                        "1800 in a million do."));
+  CHECK_THAT(headline_text(result), StartsWith("No motor was found that violates a limit: with 95 "
+                                               "% confidence fewer than 1800 in a million do."));
 }

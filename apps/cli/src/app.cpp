@@ -36,7 +36,7 @@ constexpr const char* kExamples = R"text(Examples:
   twum run study.yaml                                 runs it, or resumes it
 
 Exit status: 0 done: of a search, its design or front keeps all limits; 1 there is no such design, the
-motor of a calibration does not follow the points, or nothing has a value; 2 the input is wrong;
+motor of a calibration does not fit the points, or nothing has a value; 2 the input is wrong;
 3 a file could not be written or read, or an internal error; 130 interrupted.)text";
 
 // Of several processes started together, only the first reports errors in the input.
@@ -159,11 +159,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   Action action;
-  for (const auto add :
-       {add_curve,   add_fields,     add_explore,   add_frequency, add_map,       add_heat,
-        add_life,    add_move,       add_linearize, add_export, add_stator,    add_datasheet, add_evaluate,
-        add_run,     add_check,      add_report,    add_plot,      add_compare,   add_verify,
-        add_metrics, add_parameters, add_materials, add_solvers,   add_schema,    add_init}) {
+  for (const auto add : {add_curve,      add_fields,    add_explore,  add_frequency, add_map,
+                         add_heat,       add_life,      add_move,     add_linearize, add_export,
+                         add_stator,     add_datasheet, add_evaluate, add_run,       add_check,
+                         add_report,     add_plot,      add_compare,  add_verify,    add_metrics,
+                         add_parameters, add_materials, add_solvers,  add_schema,    add_init}) {
     add(app, action);
   }
   try {

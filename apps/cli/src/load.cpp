@@ -36,9 +36,9 @@ void add_held_load_options(CLI::App& command, LoadOptions& options) {
                   "Load torque (default: none; the motor's operation alone)")
       ->type_name("TORQUE");
   command
-      .add_option(
-          "--speed", options.speed,
-          "Speed of the rotor; with a torque the drive holds it, whatever becomes of the motor")
+      .add_option("--speed", options.speed,
+                  "Rotor speed; with a torque, the drive is adjusted to hold both as the motor "
+                  "warms or wears")
       ->type_name("SPEED");
 }
 

@@ -52,15 +52,16 @@ ModelComparison compare_slices(const MotorDesign& design) {
   MotorDesign narrow = design, wide = design;
   narrow.stator.radial_slices = 1;
   if (design.stator.radial_slices == 1) wide.stator.radial_slices = kAutoSlices;
-  return compared("the contact at its mean radius (one slice) against its width",
-                  {"one slice", "track"}, narrow, wide);
+  return compared(
+      "the contact at its mean radius (one slice) compared with the contact over its width",
+      {"one slice", "track"}, narrow, wide);
 }
 
 ModelComparison compare_radial(const MotorDesign& design) {
   MotorDesign without = design, with_it = design;
   without.stator.radial_motion = false, with_it.stator.radial_motion = true;
   return compared(
-      "a surface that moves along the track only (without) against one that moves radially, too",
+      "surface motion along the track only (without) compared with additional radial motion (with)",
       {"without", "radial motion"}, without, with_it);
 }
 

@@ -135,7 +135,7 @@ std::vector<std::string> geometry_complaints(const MotorDesign& design) {
   if (!s.geometry) return {};
   const RadialShape& shape = s.radial_shape;
   if (!shape.table.empty() || shape.exponent != 0 || shape.root != 0)
-    return {"radial_shape must be left out beside a geometry, from which it follows, but is given"};
+    return {"radial_shape must be left out with a geometry, from which it follows, but is given"};
   if (s.resonance_frequency || s.modal_mass || s.force_factor || s.blocked_capacitance != 0)
     return {
         "geometry must stand without modal data, which follow from it, but "

@@ -35,7 +35,7 @@ std::string of_one_node(const MotorDesign& design) {
   for (const P other : kOfMasses)
     if (in_use(design, other))
       return name_of(other) +
-             " must be left out beside one_node, which is the whole motor as one mass, but is "
+             " must be left out with one_node, which treats the whole motor as one mass, but is "
              "given";
   const OneNode& node = *design.thermal->one_node;
   if (!(node.rise > 0)) return "one_node_rise must be given with one_node, but is missing";

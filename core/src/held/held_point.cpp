@@ -205,11 +205,11 @@ void require_held(const MotorDesign& design, double torque, double speed, DriveC
     throw InputError(
         "a torque is held at a speed of more than 0 rad/s: at rest friction holds without a wave");
   if (control != DriveControl::amplitude && !has_modal_data(design))
-    throw InputError("a drive that follows by " +
+    throw InputError("a drive that adjusts the " +
                      std::string(control == DriveControl::voltage ? "voltage" : "frequency") +
                      " needs the stator's modal data");
   if (control == DriveControl::frequency && !design.stator.voltage)
-    throw InputError("a drive that follows by frequency needs a voltage");
+    throw InputError("a drive that adjusts the frequency needs a voltage");
 }
 
 }  // namespace

@@ -338,7 +338,7 @@ class Certifier {
     if (c.complementarity > 1e-2 * options_.tolerance)
       return "a limit with a nonzero multiplier is not active";
     if (has(Degeneracy::negative_curvature)) return "stationary, but not a minimum";
-    if (result_.better) return "stationary, but a better design was found beside it";
+    if (result_.better) return "stationary, but a better design was found nearby";
     return "";
   }
 

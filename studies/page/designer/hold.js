@@ -44,9 +44,9 @@ export class HoldView {
       oninput: () => this.set('speed', (this.lastSpeed() * Number(this.slider.value)) / sliderSteps, 'hold')
     });
     this.control =
-        el('select', {'aria-label': 'what follows', onchange: () => this.set('control', this.control.value)},
+        el('select', {'aria-label': 'adjusted quantity', onchange: () => this.set('control', this.control.value)},
            ['frequency', 'voltage'].map((value) => el('option', {value}, value)));
-    this.follows = el('label', {}, 'with its ', this.control);
+    this.follows = el('label', {}, 'adjusting the ', this.control);
     this.word = el('p', {class: 'wrong', role: 'status'});
     this.facts = el('div', {class: 'facts'});
     this.map = new HeldMap(this);
@@ -130,7 +130,7 @@ export class HoldView {
     this.say(
         status !== 'ok' ? 'Not held: ' + (tables.reasons[status] ?? status) +
                 (unit && Number.isFinite(needed) ? ' (' + engineering(needed, unit) + ')' : '') + '.' :
-            found.byControlOnly ? 'Held by the control only.' :
+            found.byControlOnly ? 'Held only with speed control; with a constant drive this point is unstable.' :
                                   '');
     const shown = Object.entries(heldColumns).filter(([, column]) => status === 'ok' && Number.isFinite(found[column]));
     this.facts.replaceChildren(...shown.map(

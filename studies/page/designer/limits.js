@@ -93,8 +93,8 @@ export function solveLock(panel, slices) {
     value += Math.sign(step) * Math.min(Math.abs(step), 0.3 * Math.abs(value) || Math.abs(step));
   }
   throw new CoreError(
-      'no ' + shortName(lock.parameter) + ' near this one keeps ' + shortName(lock.metric) + ' at ' +
-      engineering(lock.value, panel.tables.metrics[lock.metric].unit) + '; move back, or release the metric');
+      'no ' + shortName(lock.parameter) + ' near this one gives ' + shortName(lock.metric) + ' = ' +
+      engineering(lock.value, panel.tables.metrics[lock.metric].unit) + '; go back, or release the metric');
 }
 
 export class LimitsEditor {
@@ -186,11 +186,11 @@ export class LimitsEditor {
   }
 
   lockRow() {
-    this.kept = el('select', {'aria-label': 'metric that stays'});
-    this.giving = el('select', {'aria-label': 'parameter that gives way'});
+    this.kept = el('select', {'aria-label': 'metric to keep constant'});
+    this.giving = el('select', {'aria-label': 'parameter to adjust'});
     this.lock = el('button', {type: 'button', onclick: () => this.toggleLock()}, 'Keep');
     return el(
-        'div', {class: 'tools'}, el('label', {}, 'Keep ', this.kept), el('label', {}, 'by moving ', this.giving),
+        'div', {class: 'tools'}, el('label', {}, 'Keep ', this.kept), el('label', {}, 'by adjusting ', this.giving),
         this.lock);
   }
 
@@ -215,8 +215,8 @@ export class LimitsEditor {
     return el(
         'details', {class: 'study'}, el('summary', {}, 'Optimize from here'),
         el('p', {},
-           'Writes a study for "twum run": the motor as it stands, the chosen parameters free between the ' +
-               'ends of their sliders, the limits above.'),
+           'Writes a study for "twum run": the present motor, with the chosen parameters varied between the ' +
+               'ends of their sliders, under the limits above.'),
         el('div', {class: 'tools'}, this.goalSense, this.goalName = el('b', {}),
            el('button', {type: 'button', onclick: () => this.saveStudy()}, 'Save study.yaml')),
         this.free);
@@ -227,7 +227,7 @@ export class LimitsEditor {
         (box) =>
             ({name: box.value, min: this.panel.rows[box.value].range.low, max: this.panel.rows[box.value].range.high}));
     if (!free.length) {
-      this.error.textContent = 'Choose at least one parameter that is free.';
+      this.error.textContent = 'Choose at least one parameter to vary.';
       return;
     }
     const {motor, view} = this.panel.state;
@@ -296,7 +296,7 @@ export class LimitsEditor {
       const state = item.querySelector('.state');
       const bad = isBroken(view.limits[i], found[i]);
       const {unit} = this.panel.tables.metrics[view.limits[i].metric];
-      state.textContent = (bad ? 'broken: ' : 'holds: ') +
+      state.textContent = (bad ? 'violated: ' : 'holds: ') +
           (found[i].status === 'ok' ? engineering(found[i].value, unit) : found[i].status);
       state.className = 'state ' + (bad ? 'bad-word' : 'good-word');
     });

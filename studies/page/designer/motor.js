@@ -146,13 +146,13 @@ function takeCircuit(motor, entries, tables, core) {
     const path = circuitPath + name;
     if (entries[path] === undefined) throw new MotorFileError(path + ': missing');
     const value = entryNumber(path, entries[path], unit, tables);
-    if (!(value > 0)) throw new MotorFileError(path + ': ' + entries[path] + ' has to be above 0');
+    if (!(value > 0)) throw new MotorFileError(path + ': ' + entries[path] + ' must be above 0');
     return value;
   });
   const data = core.modalData(circuit);
   for (const name of [...Object.keys(data), 'modal_damping']) {
     if (motor.values[name] !== undefined)
-      throw new MotorFileError('stator.' + name + ': follows from equivalent_circuit; leave one of the two out');
+      throw new MotorFileError('stator.' + name + ': also follows from equivalent_circuit; leave one of the two out');
   }
   Object.assign(motor.values, data);
 }

@@ -79,8 +79,9 @@ export class DesignerPanel {
            panelCard(
                'In the contact', '', this.fieldsTitle, wave, zoneLegend(),
                el('div', {class: 'pair'}, traction, velocity)),
-           panelCard('Load, limits and a kept metric', '', this.limits.node),
-           panelCard('The drive follows', '', this.hold.node), panelCard('Start and stop', '', this.startStop.node),
+           panelCard('Load, limits and a constant metric', '', this.limits.node),
+           panelCard('Drive adjusted to a load', '', this.hold.node),
+           panelCard('Start and stop', '', this.startStop.node),
            panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
     node.addEventListener('keydown', (event) => stepKeys(this, event));
@@ -132,7 +133,7 @@ export class DesignerPanel {
     if (!Number.isFinite(value)) {
       this.tell(
           capital(shortName(alternative)) +
-              ' has no value here: the motor file has to give the modal data of the stator.',
+              ' has no value here: the motor file must give the modal data of the stator.',
           true);
       return;
     }

@@ -16,7 +16,7 @@ const parameterFields = ['voltage', 'frequency', 'rotor_inertia', 'load_inertia'
 const ownFields = {
   torque: {name: 'load torque', unit: 'N.m'},
   off: {name: 'switched off at', unit: 's'},
-  end: {name: 'followed until', unit: 's'}
+  end: {name: 'computed until', unit: 's'}
 };
 // steps of one task: some milliseconds
 const stepsAtOnce = 300;
@@ -81,7 +81,7 @@ export class StartStop {
     if (found.error || outside) {
       this.say(
           capital(this.boxes[name].getAttribute('aria-label')) + ': ' + this.boxes[name].value.slice(0, 30) + ' ' +
-          (found.error || 'has to be above 0 s and at most ' + longestMotion + ' s') + '.');
+          (found.error || 'must be above 0 s and at most ' + longestMotion + ' s') + '.');
       return;
     }
     if (!ownFields[name]) {
@@ -205,7 +205,7 @@ export class StartStop {
         fact(
             'largest', 'largest speed',
             engineering(n.largest, 'rad/s') + (turned && beyond > 1e-4 ? ' (+' + percent(beyond) + ')' : '')),
-        time('stopTime', 'time of the stop', 'not at rest yet'),
+        time('stopTime', 'time of the stop', 'not yet at rest'),
         fact('stopAngle', 'angle of the stop', Number.isFinite(n.stopAngle) ? engineering(n.stopAngle, 'rad') : '-'));
   }
 

@@ -32,7 +32,7 @@ function copyLink(panel) {
       navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject(new Error('no clipboard'));
   said.then(
       () => panel.tell('The link is copied; it opens this page with this motor.'),
-      () => panel.tell('The address line holds the link.'));
+      () => panel.tell('The link is in the address bar.'));
 }
 
 export function designerTools(panel) {

@@ -23,7 +23,7 @@ using namespace datasheet;
 // Of heat, wear and driver what the motor file does not give.
 std::string left_out(const MotorDesign& design) {
   std::string text = "Not in the model: ";
-  if (!design.thermal) text += "heat and what it does to the resonance and the friction, ";
+  if (!design.thermal) text += "heat and its effect on resonance and friction, ";
   text += design.wear ? "running in, " : "wear and running in, ";
   const Driver driver = design.driver.value_or(Driver{});
   const bool circuit = driver.inductance != 0 || driver.resistance != 0;
@@ -76,8 +76,7 @@ std::string notes(const MotorDesign& design) {
     if (!note.text.empty() && note.text[0] >= 'a' && note.text[0] <= 'z') note.text[0] -= 'a' - 'A';
     text += "<li>" + escaped(note.text) + ".</li>\n";
   }
-  return "<p>" + left_out(design) + "</p>\n" +
-         (text.empty() ? "" : "<ul>\n" + text + "</ul>\n");
+  return "<p>" + left_out(design) + "</p>\n" + (text.empty() ? "" : "<ul>\n" + text + "</ul>\n");
 }
 
 std::string provenance(const MotorFile& motor, const DatasheetOptions& options) {

@@ -8,9 +8,8 @@ namespace {
 
 // A path, or a path with a name for results.
 Shape<ParameterSet> set_of_file() {
-  const Shape<std::string> file =
-      path("a file with parameters of a motor that belong together, in the blocks of a motor file",
-           "peek.yaml");
+  const Shape<std::string> file = path(
+      "a file with parameters that belong together, in the blocks of a motor file", "peek.yaml");
   const Shape<ParameterSet> plain = shape_as<ParameterSet, std::string>(
       file,
       [](std::string text) {
@@ -29,10 +28,10 @@ Shape<ParameterSet> set_of_file() {
 }  // namespace
 
 Shape<std::vector<DesignChoice>> choices() {
-  const auto sets = list("files, of which a design has one", set_of_file());
+  const auto sets = list("files; each design uses one of them", set_of_file());
   Shape<std::vector<DesignChoice>> shape;
   shape.schema.kind = ValueKind::named;
-  shape.schema.text = "sets of parameters, of which a design has one; every combination is solved";
+  shape.schema.text = "parameter sets; each design uses one of them; every combination is solved";
   shape.schema.example = "lining: [peek.yaml, ptfe-peek.yaml]";
   shape.schema.sample = shape.schema.example;
   shape.schema.items.push_back(sets.schema);

@@ -32,8 +32,9 @@ std::string place_text(const Place& place) {
 }
 
 Shape<Place> place() {
-  return text_of<Place>("heading of the column, with its unit or without, or its number from 1",
-                        "n [rpm]", parse_place, place_text);
+  return text_of<Place>(
+      "heading of the column, with or without its unit, or its number, counted from 1", "n [rpm]",
+      parse_place, place_text);
 }
 
 struct Item {
@@ -61,10 +62,9 @@ Shape<ColumnChoice> column() {
       "a column, its unit and its sign",
       {required<Item>("column", place(), &Item::place),
        optional<Item>("unit", path("unit of its cells", "mN.m"), &Item::unit,
-                      "that of the heading"),
+                      "the unit in the heading"),
        standard<Item>(
-           "sign",
-           word<bool>("whether its values count with the other sign", {"given", "reversed"}),
+           "sign", word<bool>("sign of its values: as given, or reversed", {"given", "reversed"}),
            &Item::reversed)});
   const auto either =
       one_of<Item>("the column of a quantity", {alone, whole},
@@ -78,11 +78,10 @@ bool check_quantity(const YamlEntry& entry, const Spot& spot, Diagnostics& diagn
   if (name.ends_with(kDeviation)) name.remove_suffix(kDeviation.size());
   if (is_measured_heading(name) && name.find_first_of(" [(/") == std::string_view::npos)
     return true;
-  diagnostics.add(
-      entry.key_mark, spot.entry(entry.key, entry.key_mark).path,
-      quoted(entry.key) + " is nothing that a table may hold",
-      "expected speed, torque, a metric, a parameter, frequency, impedance and the like, or "
-      "one of them with _sd");
+  diagnostics.add(entry.key_mark, spot.entry(entry.key, entry.key_mark).path,
+                  quoted(entry.key) + " is not a quantity that a table may contain",
+                  "expected speed, torque, a metric, a parameter, frequency, impedance or another "
+                  "electrical quantity, or one of them with _sd");
   return false;
 }
 
@@ -92,7 +91,7 @@ Shape<std::vector<ColumnChoice>> columns() {
   const Shape<ColumnChoice> item = column();
   Shape<std::vector<ColumnChoice>> shape;
   shape.schema.kind = ValueKind::named;
-  shape.schema.text = "which column of the tables holds what, where headings do not say so";
+  shape.schema.text = "columns of the tables, for quantities that the headings do not name";
   shape.schema.example = "speed: \"n [rpm]\"";
   shape.schema.sample = "speed: \"n [rpm]\"\ntorque: {column: 3, unit: mN.m, sign: reversed}";
   shape.schema.items.push_back(item.schema);

@@ -27,17 +27,17 @@ bool check_range(DesignVariable& range, const Given& given, Diagnostics& diagnos
 }
 
 Shape<DesignVariable> range(const ParameterInfo& parameter) {
-  const Shape<double> value = value_of(parameter);
-  Field<DesignVariable> start = required<DesignVariable>("start", value, &DesignVariable::start);
+  const Shape<double> own = value_of(parameter, "start of the search");
+  Field<DesignVariable> start = required<DesignVariable>("start", own, &DesignVariable::start);
   start.entry.required = false;
   start.entry.fallback = "the motor's own value";
-  start.write = [write = value.write](const DesignVariable& from) {
+  start.write = [write = own.write](const DesignVariable& from) {
     return std::isnan(from.start) ? std::nullopt : std::optional<YamlNode>(write(from.start));
   };
   return mapping<DesignVariable>(
       std::string(parameter.text),
-      {required<DesignVariable>("min", value, &DesignVariable::min),
-       required<DesignVariable>("max", value, &DesignVariable::max),
+      {required<DesignVariable>("min", value_of(parameter, kSmallestValue), &DesignVariable::min),
+       required<DesignVariable>("max", value_of(parameter, kLargestValue), &DesignVariable::max),
        standard<DesignVariable>("scale", shapes::spacing(), &DesignVariable::scale),
        std::move(start)},
       check_range);
@@ -87,7 +87,7 @@ Shape<CurveStudy::Family> family(const char* example) {
   const auto values = by_parameter<Family>(
       [](const ParameterInfo& row) {
         return shape_as<Family, std::vector<double>>(
-            list("values", value_of(row)),
+            list("values", value_of(row, "a value")),
             [](std::vector<double> list) {
               return Family{{}, std::move(list)};
             },
@@ -170,7 +170,7 @@ bool apply_tolerance(TolerantLimit& into, const Given& given, Diagnostics& diagn
 
 Shape<MotorLimit> tolerant_limit() {
   const auto as_typed = text_of<std::string>(
-      "amount by which it may be broken and still counts as kept", "1e-4 N.m",
+      "largest violation that counts as kept, in the unit of the limit", "1e-4 N.m",
       [](std::string_view text) { return std::string(text); },
       [](const std::string& text) { return text; });
   const auto shape = mapping<TolerantLimit>(
@@ -211,8 +211,10 @@ Shape<std::string> folder() {
               "results/first");
 }
 
-Shape<double> value_of(const ParameterInfo& parameter) {
-  return number(parameter_schema(parameter));
+Shape<double> value_of(const ParameterInfo& parameter, std::string text) {
+  Schema schema = parameter_schema(parameter);
+  schema.text = std::move(text);
+  return number(std::move(schema));
 }
 
 void needs_one(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {

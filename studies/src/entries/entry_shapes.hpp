@@ -34,7 +34,10 @@ Shape<MotorLimit> tolerant_limit();
 Shape<std::uint64_t> samples();
 Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
-Shape<double> value_of(const ParameterInfo& parameter);
+/// A value of the parameter, in its unit and range. The text says what the value is for, such as "smallest value".
+Shape<double> value_of(const ParameterInfo& parameter, std::string text);
+inline constexpr const char* kSmallestValue = "smallest value";
+inline constexpr const char* kLargestValue = "largest value";
 Shape<optim::Scale> spacing();  ///< linear or log
 
 /// {torque, speed}; its text is the limit torque_at(SPEED) >= TORQUE as typed.
@@ -45,9 +48,11 @@ template <typename S>
 Fields<S> load_fields() {
   return {
       optional<S>("torque", quantity("load torque", "N.m", "0.5 N.m"), &S::torque,
-                  "none; with a speed that of the drive"),
-      optional<S>("speed", quantity("speed; with a torque the drive holds it", "rad/s", "60 rpm"),
-                  &S::speed, "that under the torque")};
+                  "none; with a speed: the torque of the drive at that speed"),
+      optional<S>("speed",
+                  quantity("rotor speed; given with a torque: the drive is adjusted to hold both",
+                           "rad/s", "60 rpm"),
+                  &S::speed, "the speed under the torque")};
 }
 /// A torque is held at a speed of more than 0.
 void check_held(const Given& given, const std::optional<double>& torque,

@@ -27,23 +27,22 @@ constexpr const char* kSweep =
 using Variable = SweepStudy::Variable;
 
 Shape<Variable> sweep_variable(const ParameterInfo& row) {
-  const Shape<double> value = value_of(row);
   Field<Variable> points =
       standard<Variable>("points", count("grid points", "5", 2, 1e6), &Variable::points);
-  points.entry.fallback = std::to_string(Variable{}.points) + ", for a grid";
-  const auto limits =
-      mapping<Variable>(std::string(row.text),
-                        {required<Variable>("min", value, &Variable::min),
-                         required<Variable>("max", value, &Variable::max), std::move(points),
-                         standard<Variable>("scale", spacing(), &Variable::scale)},
-                        [](Variable& range, const Given& given, Diagnostics& diagnostics) {
-                          if (given.right("min") != nullptr && given.right("max") != nullptr)
-                            rising(given, "min", range.min, "max", range.max, diagnostics);
-                          check_log(given, range.min, diagnostics);
-                          return true;
-                        });
+  points.entry.fallback = std::to_string(Variable{}.points) + "; for a grid";
+  const auto limits = mapping<Variable>(
+      std::string(row.text),
+      {required<Variable>("min", value_of(row, kSmallestValue), &Variable::min),
+       required<Variable>("max", value_of(row, kLargestValue), &Variable::max), std::move(points),
+       standard<Variable>("scale", spacing(), &Variable::scale)},
+      [](Variable& range, const Given& given, Diagnostics& diagnostics) {
+        if (given.right("min") != nullptr && given.right("max") != nullptr)
+          rising(given, "min", range.min, "max", range.max, diagnostics);
+        check_log(given, range.min, diagnostics);
+        return true;
+      });
   const auto listed = shape_as<Variable, std::vector<double>>(
-      list("values", value),
+      list("values", value_of(row, "a value")),
       [](std::vector<double> values) { return Variable{.values = std::move(values)}; },
       [](const Variable& variable) { return variable.values; });
   auto shape =
@@ -211,8 +210,8 @@ Field<SensitivityStudy> sensitivity_samples() {
   const auto text = [](Method method) { return std::to_string(standard_samples(method)); };
   auto field = optional<SensitivityStudy>(
       "samples",
-      count("trajectories (morris), or base samples of variables + 2 motors each (sobol, "
-            "rounded up to a power of two, at least 256)",
+      count("morris: number of trajectories; sobol: number of base samples, each of (variables + "
+            "2) motors, rounded up to a power of two, at least 256",
             "1024", 1, 1e9),
       &SensitivityStudy::samples,
       text(Method::morris) + " for morris, " + text(Method::sobol) + " for sobol");
@@ -259,7 +258,7 @@ Field<SweepStudy> sweep_variables() {
 Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
   const YamlNode value = *field.write(SweepStudy{});
   field.has_standard = false;
-  field.entry.fallback = typed_text(value) + ", for lhs and sobol";
+  field.entry.fallback = typed_text(value) + "; for lhs and sobol";
   field.entry.standards = {{value, "sampling", {"lhs", "sobol"}}};
   field.write = [write = field.write](const SweepStudy& from) {
     return is_drawn(from) ? write(from) : std::nullopt;
@@ -301,7 +300,7 @@ static Shape<std::vector<double>> loads() {
   using Loads = std::vector<double>;
   const Shape<double> load = quantity("load of the rotor", "N.m", "0.5 N.m");
   return one_of<Loads>(
-      "load of the rotor, or several for a family over it",
+      "load torque, or a list of load torques for a family",
       {shape_as<Loads, double>(
            load, [](double value) { return Loads{value}; },
            [](const Loads& values) { return values.front(); }),
@@ -322,9 +321,8 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
        optional<F>("to", quantity("highest frequency", "Hz", "45 kHz"), &F::to, "above all jumps"),
        standard<F>("points", count("frequencies of each sweep", "201", 2, 1e6), &F::points),
        hidden(optional<F>("torque", loads(), &F::torque, "0 N.m")),
-       hidden(optional<F>("speed",
-                          quantity("speed of the rotor, in place of a torque", "rad/s", "0 rpm"),
-                          &F::speed, "it follows from the torque")),
+       hidden(optional<F>("speed", quantity("rotor speed, instead of a torque", "rad/s", "0 rpm"),
+                          &F::speed, "the speed under the torque")),
        standard<F>(
            "direction",
            word<SweepDirection>("direction of the sweeps",
@@ -335,13 +333,13 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
           rising(given, "from", *study.from, "to", *study.to, diagnostics);
         if (study.family && study.torque && study.torque->size() > 1) {
           diagnostics.add(given.find("torque")->mark, given.path("torque"),
-                          "several loads cannot be given beside 'family'",
+                          "several loads cannot be given together with 'family'",
                           "give one load, or leave out 'family'");
           return false;
         }
         const YamlNode* speed = given.find("speed");
         if (speed == nullptr || given.find("torque") == nullptr) return true;
-        diagnostics.add(speed->mark, given.path("speed"), "cannot be given beside 'torque'",
+        diagnostics.add(speed->mark, given.path("speed"), "cannot be given together with 'torque'",
                         "give the torque, or the speed");
         return false;
       });
@@ -395,8 +393,10 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
                    &S::confidence),
        hidden(optional<S>(
            "width",
-           fraction("sobol: double the samples until no interval is wider than this", "0.05"),
-           &S::width, "one round")),
+           fraction(
+               "sobol: the samples are doubled until no confidence interval is wider than this",
+               "0.05"),
+           &S::width, "none: one round")),
        hidden(optional<S>("max_samples", count("largest number of base samples", "65536", 1, 1e12),
                           &S::max_samples, "64 times samples")),
        standard<S>("seed", shapes::seed(), &S::seed)},

@@ -27,14 +27,15 @@ Shape<HeatStudy> HeatStudy::shape() {
                    optional<H>("family", shapes::family("preload: [120 N, 160 N, 200 N]"),
                                &H::family, "the motor alone")};
   fields.push_back(load_fields<H>());
-  fields.push_back(optional<H>("time", io::quantity("how long the warm-up is followed", "s", "1 h"),
+  fields.push_back(optional<H>("time", io::quantity("duration of the warm-up", "s", "1 h"),
                                &H::time, "five times the slowest time constant"));
   fields.push_back(standard<H>(
-      "points", count("times of the warm-up, or of a cycle where there is no load", "101", 2, 1e5),
+      "points",
+      count("number of times in the warm-up, or in a cycle if no load is given", "101", 2, 1e5),
       &H::points));
   return mapping<H>(
-      "how warm the motor gets under a load, how fast, and over a cycle of its operation; of one "
-      "motor or of a family over one parameter",
+      "how warm the motor gets under a load, how fast, and over a cycle of its operation; for one "
+      "motor or a family over one parameter",
       std::move(fields), check_heat);
 }
 

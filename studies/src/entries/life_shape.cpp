@@ -23,11 +23,11 @@ Shape<LifeStudy> LifeStudy::shape() {
                    optional<L>("family", shapes::family("preload: [120 N, 160 N, 200 N]"),
                                &L::family, "the motor alone")};
   fields.push_back(load_fields<L>());
-  fields.push_back(
-      standard<L>("points", count("depths between new and worn", "51", 2, 1e4), &L::points));
+  fields.push_back(standard<L>(
+      "points", count("number of wear depths between new and worn", "51", 2, 1e4), &L::points));
   return mapping<L>(
-      "how long the motor lives until its track has worn too far, and what changes on the way; of "
-      "one motor or of a family over one parameter",
+      "the life of the motor until its contact track is worn too far, and how the motor changes "
+      "until then; for one motor or a family over one parameter",
       std::move(fields), check_life);
 }
 

@@ -33,7 +33,7 @@ Shape<Metric> held_metric() {
   std::vector<std::string> names;
   for (const Metric metric : MapStudy::quantities()) names.emplace_back(info(metric).name);
   return shape_as<Metric, std::size_t>(
-      choice("what the pictures show: a metric at a torque and a speed", std::move(names)),
+      choice("metric shown in the pictures, at a torque and a speed", std::move(names)),
       [](std::size_t number) { return MapStudy::quantities()[number]; },
       [](Metric metric) {
         const auto list = MapStudy::quantities();
@@ -56,7 +56,7 @@ bool check_map(MapStudy& study, const Given& given, Diagnostics& diagnostics) {
   for (std::size_t i = 0; duty != nullptr && i < study.duty.size(); ++i)
     if (!(study.duty[i].speed > 0))
       diagnostics.add(duty->items[i].mark, given.path("duty") + "[" + std::to_string(i) + "].speed",
-                      "a duty at rest, which friction holds without a wave",
+                      "a duty at rest, where friction holds the rotor without a wave",
                       "expected a speed of more than 0 rpm");
   return true;
 }
@@ -86,18 +86,18 @@ std::span<const Metric> MapStudy::quantities() {
 
 Shape<MapStudy> MapStudy::shape() {
   using M = MapStudy;
-  auto duty = list("operating points that are marked", duty_point());
+  auto duty = list("operating points marked in the pictures", duty_point());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
   return mapping<M>(
-      "efficiency, power, current and losses over speed and torque, of one motor or of a family "
-      "over one parameter",
+      "efficiency, power, current and losses over speed and torque, for one motor or a family over "
+      "one parameter",
       {kind_field<M>(),
        optional<M>("family", shapes::family("preload: [120 N, 160 N, 200 N]"), &M::family,
                    "the motor alone"),
        optional<M>("torque", io::quantity("largest torque of the map", "N.m", "1 N.m"), &M::torque,
-                   "the largest that the drive holds"),
+                   "the largest that the drive can hold"),
        optional<M>("speed", io::quantity("largest speed of the map", "rad/s", "150 rpm"), &M::speed,
-                   "the largest that the drive holds"),
+                   "the largest that the drive can hold"),
        standard<M>(
            "points",
            text_of<Grid>("number of speeds and of torques", "60x40", Grid::parse, grid_text),

@@ -74,7 +74,7 @@ class MotionCheck {
       say_of_motor("phases or modes are unequal (stator.imbalance), but a motion has one wave",
                    "leave out voltage_ratio, phase_error and mode_splitting");
     if (motor_.stator.radial_motion)
-      say_of_motor("its surface also moves radially, with which a motion would take hours",
+      say_of_motor("its surface also moves radially; a motion with radial motion would take hours",
                    "write 'radial_motion: false' under stator");
   }
 
@@ -83,7 +83,8 @@ class MotionCheck {
     if (study_.axial != motion::AxialMotion::dynamic) return;
     if (oscillates())
       return say("axial",
-                 "an axial motion for the oscillating engine, which has it with rotor_mass",
+                 "given for the oscillating engine, which computes the axial motion if rotor_mass "
+                 "is given",
                  "leave it out");
     if (!(motor_.rotor.mass.value_or(0) > 0) && !varies(Parameter::rotor_mass))
       say_of_motor("it has no rotor_mass, which 'axial: dynamic' needs",
@@ -98,7 +99,9 @@ class MotionCheck {
   // What the oscillating engine does not compute.
   void check_motor_of_two_waves() {
     if (!motor_.stator.voltage)
-      say("engine", "the oscillating engine for a motor that is given by its amplitude",
+      say("engine",
+          "the oscillating engine needs a motor under a voltage, but the amplitude of this motor "
+          "is given",
           "give stator.voltage in the motor file, or write 'engine: averaged'");
     if (motor_.stator.radial_slices != 1 && !varies(Parameter::radial_slices))
       say_of_motor("radial_slices is not 1, but the oscillating engine has one contact radius",
@@ -111,7 +114,7 @@ class MotionCheck {
                    "leave out friction.static");
     if (!motor_.rotor.mass && !varies(Parameter::rotor_mass) && mixes_waves())
       say_of_motor(
-          "it has no rotor_mass, which decides how two waves share the rotor",
+          "it has no rotor_mass, which determines how the rotor responds to two waves",
           "give rotor.mass, such as 0.1 kg, or 0 kg for a rotor that follows the larger wave");
   }
 
@@ -129,24 +132,25 @@ class MotionCheck {
     const motion::Actuator actuator = control.actuator_of(motor_);
     const bool by_voltage = actuator == motion::Actuator::voltage;
     if (!motor_.stator.voltage)
-      say("control", "a loop for a motor that is given by its amplitude",
+      say("control",
+          "control needs a motor under a voltage, but the amplitude of this motor is given",
           "give stator.voltage in the motor file");
     if (by_voltage ? study_.drive.voltage.has_value() : study_.drive.frequency.has_value())
-      say(by_voltage ? "drive.voltage" : "drive.frequency", "a value for what control changes",
-          "leave it out, or leave out control");
+      say(by_voltage ? "drive.voltage" : "drive.frequency",
+          "given, although 'control' changes this quantity", "leave it out, or leave out control");
     if (!study_.drive.reversed.empty())
-      say("drive.reversed", "phases that are swapped under a loop",
+      say("drive.reversed", "phases cannot be swapped while 'control' is active",
           "leave it out, or leave out control");
     if (control.range.empty() && (by_voltage || !motor_.stator.frequency_range))
-      say("control", "no range of its output",
+      say("control", "the range of its output is missing",
           by_voltage ? "give range, such as [100 V, 160 V]"
                      : "give range, such as [39.7 kHz, 44.5 kHz], or stator.frequency_range");
     check_numbers_of(control);
     const auto check_unit = [&](const char* entry, const LoopValue& value) {
       if (value.unit == actuator) return true;
       say(std::string("control.") + entry,
-          by_voltage ? "a frequency, but the loop changes the voltage"
-                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "a frequency, but the controller changes the voltage"
+                     : "a voltage, but the controller changes the frequency",
           by_voltage ? "give it in V, or write 'actuator: frequency'"
                      : "give it in Hz, or write 'actuator: voltage'");
       return false;
@@ -158,8 +162,8 @@ class MotionCheck {
       check_unit("gains", control.gains->kp) && check_unit("gains", control.gains->ki);
     if (by_voltage ? control.start_frequency.has_value() : control.start_voltage.has_value())
       say(by_voltage ? "control.start_frequency" : "control.start_voltage",
-          by_voltage ? "a frequency, but the loop changes the voltage"
-                     : "a voltage, but the loop changes the frequency",
+          by_voltage ? "a frequency, but the controller changes the voltage"
+                     : "a voltage, but the controller changes the frequency",
           by_voltage ? "give start_voltage" : "give start_frequency");
   }
 
@@ -180,15 +184,15 @@ class MotionCheck {
     if (control.kind == MotionControl::Kind::speed &&
         std::ranges::any_of(control.reference.rows(), backward))
       say("control.reference", "a negative speed",
-          "expected 0 or more; a loop of the speed does not swap the phases");
+          "expected 0 or more; the speed controller does not swap the phases");
     if (control.range.size() != 2) return;
     const double least = control.range[0].value, most = control.range[1].value;
     if (!(least < most))
-      return say("control.range", "a range that does not rise",
+      return say("control.range", "the range does not rise",
                  "expected such as [39.7 kHz, 44.5 kHz]");
     const auto within = [&](const char* entry, const std::optional<double>& start) {
       if (start && !(*start >= least && *start <= most))
-        say(std::string("control.") + entry, "a start outside the range of the output",
+        say(std::string("control.") + entry, "the start is outside the range of the output",
             "give one within the range");
     };
     within("start_frequency", control.start_frequency);
@@ -197,25 +201,25 @@ class MotionCheck {
 
   void check_one_wave() {
     if (study_.accuracy)
-      say("accuracy", "an accuracy for the averaged engine, which has none",
+      say("accuracy", "the averaged engine has no accuracy setting",
           "leave it out, or write 'engine: oscillating'");
     if (study_.drive.phase_difference)
-      say("drive.phase_difference",
-          "a phase difference for the averaged engine, which has one wave",
+      say("drive.phase_difference", "the averaged engine has one wave and no phase difference",
           "write 'engine: oscillating'");
   }
 
   void check_entries_of_drive() {
     const bool driven = motor_.stator.voltage.has_value();
     if (!driven && study_.drive.voltage)
-      say("drive.voltage", "a voltage for a motor that is given by its amplitude",
+      say("drive.voltage", "the amplitude of this motor is given, so it has no voltage",
           "give drive.amplitude, or stator.voltage in the motor file");
     if (driven && study_.drive.amplitude)
-      say("drive.amplitude", "an amplitude for a motor under a voltage", "give drive.voltage");
+      say("drive.amplitude", "this motor has a voltage, so its amplitude cannot be given",
+          "give drive.voltage");
     for (const motion::Interval& off : study_.drive.switched_off)
       if (off.begin >= study_.duration)
-        say("drive.switched_off", "an interval that begins after the end of the motion",
-            "let 'duration' be longer, or leave the interval out");
+        say("drive.switched_off", "the interval begins after the end of the motion",
+            "increase 'duration', or leave the interval out");
     if (!driven && !study_.drive.switched_off.empty())
       say("drive.switched_off", "a motor with a given amplitude has no drive to switch off",
           "give drive.amplitude over time, or stator.voltage in the motor file");
@@ -241,7 +245,7 @@ class MotionCheck {
               number_text_of(study_.duration * frequency) + " periods of the drive",
           "expected at most 1e6, " + engineering(kMostPeriods / frequency, "s"));
     if (!(study_.step() > 0) || study_.duration / study_.step() > kMostRows)
-      say("output.step", "a step that gives more than a million rows",
+      say("output.step", "the step gives more than a million rows",
           "expected at least " + engineering(study_.duration / kMostRows, "s"));
     for (const MotionMeasure& one : study_.measure)
       if (one.at > study_.duration && one.column.empty())

@@ -18,17 +18,17 @@ namespace {
 Shape<motion::InitialState> initial_shape() {
   using I = motion::InitialState;
   const auto words = shape_as<I, std::size_t>(
-      choice(
-          "at rest with a relaxed layer, or running steadily at the first values of drive and load",
-          {"rest", "steady"}),
+      choice("rest: at rest with a relaxed layer; steady: running steadily at the first values of "
+             "drive and load",
+             {"rest", "steady"}),
       [](std::size_t number) { return I{.steady = number == 1}; },
       [](const I& state) { return state.steady ? std::size_t{1} : std::size_t{0}; });
   const auto state = mapping<I>(
-      "a state",
+      "a given state",
       {optional<I>("speed", quantity("of the rotor", "rad/s", "100 rpm"), &I::speed, "0 rad/s"),
        optional<I>("amplitude", quantity("of the wave", "m", "0 um"), &I::amplitude, "0 m"),
        optional<I>("angle", quantity("of the rotor", "rad", "0 rad"), &I::angle, "0 rad")});
-  auto shape = one_of<I>("the state at the beginning", {words, state}, [](const I& from) {
+  auto shape = one_of<I>("the state at the start of the motion", {words, state}, [](const I& from) {
     return from.speed == 0 && from.amplitude == 0 && from.angle == 0 ? std::size_t{0} : 1;
   });
   shape.schema.example = "rest";
@@ -38,14 +38,16 @@ Shape<motion::InitialState> initial_shape() {
 Field<MotionStudy::Load> load_number(const char* name, Parameter parameter,
                                      std::optional<double> MotionStudy::Load::*member) {
   const ParameterInfo& row = info(parameter);
-  return optional<MotionStudy::Load>(name, value_of(row), member, "the motor's");
+  return optional<MotionStudy::Load>(name, value_of(row, std::string(row.text)), member,
+                                     "the motor's");
 }
 
 Shape<MotionStudy::Load> load_shape() {
   using L = MotionStudy::Load;
   return mapping<L>(
-      "what the shaft drives; in place of the motor's",
-      {optional<L>("torque", profile("torque against positive motion", "N.m", "0.2 N.m"),
+      "load on the shaft, instead of the motor's",
+      {optional<L>("torque",
+                   profile("load torque; positive against positive rotation", "N.m", "0.2 N.m"),
                    &L::torque, "0 N.m"),
        load_number("inertia", Parameter::load_inertia, &L::inertia),
        hidden(load_number("damping", Parameter::load_damping, &L::damping)),
@@ -57,23 +59,22 @@ Shape<MotionStudy::Load> load_shape() {
 Shape<MotionStudy::Drive> drive_shape() {
   using D = MotionStudy::Drive;
   return mapping<D>(
-      "what is done to the drive",
-      {optional<D>("voltage", profile("of each phase, rms", "V", "120 V"), &D::voltage,
+      "drive over time",
+      {optional<D>("voltage", profile("voltage of each phase, rms", "V", "120 V"), &D::voltage,
                    "the motor's"),
        hidden(optional<D>(
            "amplitude",
-           profile("of the wave, of a motor that is given by its amplitude", "m", "1.6 um"),
+           profile("amplitude of the wave, for a motor with a given amplitude", "m", "1.6 um"),
            &D::amplitude, "the motor's")),
        optional<D>("frequency", profile("of the drive", "Hz", "40.8 kHz"), &D::frequency,
                    "the motor's"),
-       optional<D>("switched_off", intervals("when the drive is off, from one time to the next"),
+       optional<D>("switched_off", intervals("intervals in which the drive is off"),
                    &D::switched_off, "never"),
-       hidden(optional<D>("reversed",
-                          intervals("when the phases are swapped, from one time to the next"),
+       hidden(optional<D>("reversed", intervals("intervals in which the phases are swapped"),
                           &D::reversed, "never")),
        hidden(optional<D>("phase_difference",
-                          profile("by which the first phase leads the second; other than 90 deg "
-                                  "with the oscillating engine",
+                          profile("lead of the first phase over the second; values other than 90 "
+                                  "deg need the oscillating engine",
                                   "rad", "60 deg"),
                           &D::phase_difference, "90 deg"))});
 }
@@ -84,7 +85,7 @@ Shape<MotionStudy::Output> output_shape() {
   for (const std::string_view name : motion_column_names()) words.emplace_back(name);
   auto columns = list("columns of the table", choice("a column", words));
   columns.schema.example = "[speed, angle, amplitude, torque]";
-  return mapping<O>("what is stored",
+  return mapping<O>("stored time series",
                     {optional<O>("step", quantity("time between rows", "s", "50 us"), &O::step,
                                  "a thousandth of the duration"),
                      optional<O>("columns", columns, &O::columns, "all")});
@@ -92,9 +93,9 @@ Shape<MotionStudy::Output> output_shape() {
 
 Shape<double> accuracy_shape() {
   return shape_as<double, std::size_t>(
-      choice("of the oscillating engine: factor of the points of the contact and of the steps of a "
-             "period",
-             {"1", "2", "4"}),
+      choice(
+          "oscillating engine: factor on the number of contact points and of time steps per period",
+          {"1", "2", "4"}),
       [](std::size_t number) { return std::exp2(static_cast<double>(number)); },
       [](double factor) { return static_cast<std::size_t>(std::lround(std::log2(factor))); });
 }
@@ -133,7 +134,8 @@ Shape<std::optional<MotionControl::Gains>> gains_shape() {
   using G = MotionControl::Gains;
   using Given = std::optional<G>;
   const auto automatic = shape_as<Given, std::size_t>(
-      choice("from the plant at the largest reference (M8.1)", {"auto"}),
+      choice("computed from the motor's linear model at the largest reference, equation (M8.1)",
+             {"auto"}),
       [](std::size_t) { return Given{}; }, [](const Given&) { return std::size_t{0}; });
   const auto numbers = mapping<G>(
       "gains of the controller",
@@ -158,65 +160,65 @@ Shape<MotionControl> position_shape(const Shape<std::vector<LoopValue>>& range) 
   C fresh;
   fresh.kind = C::Kind::position, fresh.encoder = 4000;
   return mapping<C>(
-      "a sampled loop of the angle, with bursts near the goal",
-      {selector<C>("kind", "what is controlled", "position"),
-       required<C>("reference", profile("the angle that is asked for", "rad", "0.5 rad"),
-                   &C::reference),
+      "sampled position controller, with bursts near the goal",
+      {selector<C>("kind", "controlled quantity", "position"),
+       required<C>("reference", profile("requested angle", "rad", "0.5 rad"), &C::reference),
        standard<C>("sample_time", quantity("time between samples", "s", "1 ms"), &C::sample_time),
-       standard<C>("delay", count("whole samples from a measurement to its output", "1", 0, 100),
+       standard<C>("delay",
+                   count("delay from a measurement to its output, in whole samples", "1", 0, 100),
                    &C::delay),
-       standard<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder),
+       standard<C>("encoder", count("counts per revolution", "4000", 1, 1e9), &C::encoder),
        optional<C>("range", range, &C::range, "the motor's frequency_range"),
        hidden(optional<C>(
            "slew",
-           loop_value("largest fall of the frequency over time", "Hz/s", "V/s", "200 kHz/s"),
-           &C::slew, "any")),
-       optional<C>("gain", quantity("speed over the way that is left", "1/s", "150 1/s"), &C::gain,
-                   "1 over three times the dead time"),
+           loop_value("largest rate at which the frequency may fall", "Hz/s", "V/s", "200 kHz/s"),
+           &C::slew, "not limited")),
+       optional<C>("gain", quantity("requested speed per remaining angle", "1/s", "150 1/s"),
+                   &C::gain, "1 / (3 dead times)"),
        hidden(standard<C>("braking",
-                          quantity("share of the friction's deceleration that the speed asked for "
-                                   "takes; less for a motor that coasts",
+                          quantity("share of the deceleration by friction that the requested speed "
+                                   "uses; smaller for a motor that coasts",
                                    "1", "0.5"),
                           &C::braking)),
        standard<C>("window",
                    count("counts from the goal within which the drive stays off", "2", 1, 1e6),
                    &C::window),
        standard<C>("off_time",
-                   quantity("with the drive off before phases are swapped", "s", "1.5 ms"),
+                   quantity("time with the drive off before the phases are swapped", "s", "1.5 ms"),
                    &C::off_time)},
       {}, fresh);
 }
 
 Shape<MotionControl> control_shape() {
   using C = MotionControl;
-  auto range = list("least and largest output, in Hz, or in V for a voltage",
+  auto range = list("smallest and largest output, in Hz, or in V for a voltage",
                     loop_value("an end of the range", "Hz", "V", "39.7 kHz"), 2, 2);
   range.schema.example = "[39.7 kHz, 44.5 kHz]";
   const auto speed = mapping<C>(
-      "a sampled loop of the speed",
-      {selector<C>("kind", "what is controlled", "speed"),
-       required<C>("reference", profile("the speed that is asked for", "rad/s", "100 rpm"),
-                   &C::reference),
+      "sampled speed controller",
+      {selector<C>("kind", "controlled quantity", "speed"),
+       required<C>("reference", profile("requested speed", "rad/s", "100 rpm"), &C::reference),
        standard<C>("sample_time", quantity("time between samples", "s", "1 ms"), &C::sample_time),
-       standard<C>("delay", count("whole samples from a measurement to its output", "1", 0, 100),
+       standard<C>("delay",
+                   count("delay from a measurement to its output, in whole samples", "1", 0, 100),
                    &C::delay),
-       optional<C>("encoder", count("counts a turn", "4000", 1, 1e9), &C::encoder,
+       optional<C>("encoder", count("counts per revolution", "4000", 1, 1e9), &C::encoder,
                    "an exact angle"),
        optional<C>("actuator",
-                   word<motion::Actuator>("what the loop changes",
+                   word<motion::Actuator>("quantity that the controller adjusts",
                                           {motion::Actuator::frequency, motion::Actuator::voltage}),
                    &C::actuator, "the motor's control"),
        optional<C>("range", range, &C::range, "the motor's frequency_range"),
-       optional<C>("start_frequency", quantity("at the beginning", "Hz", "43.6 kHz"),
+       optional<C>("start_frequency", quantity("at the start of the motion", "Hz", "43.6 kHz"),
                    &C::start_frequency, "the upper end of the range"),
-       hidden(optional<C>("start_voltage", quantity("at the beginning", "V", "120 V"),
+       hidden(optional<C>("start_voltage", quantity("at the start of the motion", "V", "120 V"),
                           &C::start_voltage, "the motor's voltage")),
        hidden(optional<C>(
            "slew",
-           loop_value("largest change over time, in V/s for a voltage", "Hz/s", "V/s", "400 kHz/s"),
-           &C::slew, "any")),
+           loop_value("largest rate of change, in V/s for a voltage", "Hz/s", "V/s", "400 kHz/s"),
+           &C::slew, "not limited")),
        standard<C>("gains", gains_shape(), &C::gains)});
-  return one_of<C>("a loop in place of a given frequency or voltage",
+  return one_of<C>("controller, instead of a given frequency or voltage",
                    {speed, position_shape(range)},
                    [](const C& control) { return static_cast<std::size_t>(control.kind); }, "kind",
                    {"speed", "position"});
@@ -230,7 +232,7 @@ bool has_duration(MotionStudy& study, const Given& given, Diagnostics& diagnosti
 
 Shape<MotionStudy> MotionStudy::shape() {
   using M = MotionStudy;
-  auto measures = list("numbers of the motion",
+  auto measures = list("quantities to report",
                        text_of<MotionMeasure>("a measure", "time_to(speed, 90 %)", motion_measure,
                                               [](const MotionMeasure& one) { return one.text; }));
   measures.schema.example = "[\"time_to(speed, 90 %)\", overshoot(speed), angle_after(30 ms)]";
@@ -242,19 +244,19 @@ Shape<MotionStudy> MotionStudy::shape() {
                    &M::family, "the motor alone"),
        required<M>("duration", quantity("how long the motion is followed", "s", "40 ms"),
                    &M::duration),
-       hidden(standard<M>(
-           "engine",
-           word<motion::MotionEngine>(
-               "one wave, averaged over each vibration, or every vibration of two waves",
-               {motion::MotionEngine::averaged, motion::MotionEngine::oscillating}),
-           &M::engine)),
+       hidden(standard<M>("engine",
+                          word<motion::MotionEngine>(
+                              "averaged: one wave, averaged over each vibration; oscillating: each "
+                              "vibration of two waves",
+                              {motion::MotionEngine::averaged, motion::MotionEngine::oscillating}),
+                          &M::engine)),
        hidden(optional<M>("accuracy", accuracy_shape(), &M::accuracy, "1")),
-       hidden(standard<M>("axial",
-                          word<motion::AxialMotion>(
-                              "the rotor's axial position with the averaged engine: balanced "
-                              "at every instant, or moved by its mass",
-                              {motion::AxialMotion::balanced, motion::AxialMotion::dynamic}),
-                          &M::axial)),
+       hidden(standard<M>(
+           "axial",
+           word<motion::AxialMotion>("averaged engine: axial position of the rotor in balance at "
+                                     "each instant (static), or with its inertia (dynamic)",
+                                     {motion::AxialMotion::balanced, motion::AxialMotion::dynamic}),
+           &M::axial)),
        standard<M>("initial", initial_shape(), &M::initial),
        hidden(optional<M>("drive", drive_shape(), &M::drive, "the motor's at all times")),
        hidden(optional<M>("control", control_shape(), &M::control, "none")),

@@ -75,14 +75,14 @@ const YamlEntry* entry_of(const YamlNode& variables, Parameter parameter) {
   return found == variables.entries.end() ? nullptr : &*found;
 }
 
-constexpr const char* kThermal = "the ways of its heat; give 'thermal' in the motor file";
+constexpr const char* kThermal = "a thermal model; give 'thermal' in the motor file";
 constexpr const char* kOperation =
-    "what the motor does; give 'operation' in the motor file, such as [{torque: 0.5 N.m, time: 60 "
-    "s}, {idle: 100 s}]";
+    "an operation; give 'operation' in the motor file, such as [{torque: 0.5 N.m, time: 60 s}, "
+    "{idle: 100 s}]";
 
 constexpr const char* kWear =
-    "what wears and what ends a life; give 'wear' in the motor file, such as {specific_wear: 1e-6 "
-    "mm^3/(N.m), depth_limit: 100 um}";
+    "wear data; give 'wear' in the motor file, such as {specific_wear: 1e-6 mm^3/(N.m), "
+    "depth_limit: 100 um}";
 
 // What worn() in a text lacks: the wear, or an operation where no load is named.
 std::string missing_for_worn(const MotorDesign& motor, std::string_view from_worn) {
@@ -122,10 +122,10 @@ std::string missing_for_motion(const MotorDesign& motor, Metric metric) {
     return "the rotor's mass; give 'mass' under 'rotor' in the motor file, such as 0.1 kg";
   const bool of_start = metric == Metric::start_time_at || metric == Metric::start_overshoot_at;
   if (!of_start && !motor.stator.voltage)
-    return "a drive voltage; give 'voltage' in place of 'amplitude' in the motor file";
+    return "a drive voltage; give 'voltage' instead of 'amplitude' in the motor file";
   if (motor.stator.radial_motion)
-    return "a motor without radial motion, with which a motion takes hours; set 'radial_motion: "
-           "false' under 'stator' in the motor file";
+    return "a motor without radial motion, because a motion with it would take hours; set "
+           "'radial_motion: false' under 'stator' in the motor file";
   return {};
 }
 
@@ -148,8 +148,8 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
   const bool limits = metric == Metric::temperature_margin_at || metric == Metric::on_time_at ||
                       metric == Metric::duty_limit_at;
   if (limits && !has_temperature_limit(*motor.thermal))
-    return "a limit of temperature; give 'limit' under stator, rotor, housing or contact of "
-           "'thermal' in the motor file";
+    return "a temperature limit; give 'limit' under stator, rotor, housing or contact of 'thermal' "
+           "in the motor file";
   const bool signal = metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
   if (signal && !motor.stator.sensor)
     return "a sensor; give 'sensor' under 'stator' in the motor file";
@@ -157,7 +157,7 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
                                 metric == Metric::start_frequency ||
                                 metric == Metric::pull_out_frequency;
   if (limit_of_voltage && !motor.stator.voltage)
-    return "a drive voltage; give 'voltage' in place of 'amplitude' in the motor file";
+    return "a drive voltage; give 'voltage' instead of 'amplitude' in the motor file";
   return {};
 }
 

@@ -68,17 +68,18 @@ class DerivativeCheck {
     for (const DesignVariable& one : variables)
       if (one.parameter == Parameter::wavelengths)
         add(one.parameter,
-            "another number of waves is another mode of the plate, so there is no derivative",
-            "leave it out, and compare numbers of waves with 'kind: sweep'");
+            "a different number of wavelengths is a different mode of the plate, so there is no "
+            "derivative",
+            "leave it out, and compare numbers of wavelengths with 'kind: sweep'");
   }
 
  private:
   void say_of_radius(Parameter radius, Parameter other, double place) {
     const std::string name(info(radius).name), beside(info(other).name);
     add(radius,
-        "begins at " + engineering(place, "m") + ", where " + beside +
-            " begins, too; the derivative in one of two equal radii has no meaning",
-        "move both, with 'derived: {" + beside + ": " + name + "}', or start beside it");
+        "starts at " + engineering(place, "m") + ", the same value as " + beside +
+            "; the derivative in one of two equal radii is undefined",
+        "move both, with 'derived: {" + beside + ": " + name + "}', or start from another value");
   }
 
   void add(Parameter parameter, std::string found, std::string expected) {

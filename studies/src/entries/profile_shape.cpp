@@ -47,17 +47,17 @@ bool times_rise(const std::vector<Profile::Row>& rows, const YamlNode& node, con
     const YamlNode& time = node.items[i].items[0];
     diagnostics.add(time.mark, spot.path + "[" + std::to_string(i) + "][0]",
                     io::quoted(time.scalar),
-                    falls ? "expected a time not before that of the row above"
-                          : "expected at most two rows of one time, which are a step");
+                    falls ? "expected a time no earlier than that of the row above"
+                          : "expected at most two rows with the same time; two are a step");
     return false;
   }
   return true;
 }
 
 io::Shape<Profile> rows_shape(const std::string& unit, const std::string& example) {
-  auto rows =
-      io::list("rows of time and value, linear between them; two rows of one time are a step",
-               row_shape(unit, example));
+  auto rows = io::list(
+      "rows of time and value, with linear interpolation; two rows with the same time are a step",
+      row_shape(unit, example));
   rows.schema.example = "[[0 ms, " + example + "], [5 ms, " + example + "]]";
   io::Shape<Profile> shape;
   shape.schema = rows.schema;
@@ -103,7 +103,7 @@ io::Shape<std::vector<Interval>> intervals(std::string text) {
       return false;
     }
     if (found.size() % 2 != 0) {
-      diagnostics.add(node.mark, spot.path, "a last interval without its end",
+      diagnostics.add(node.mark, spot.path, "the last interval has no end",
                       "expected pairs of begin and end, such as [30 ms, 40 ms]");
       return false;
     }

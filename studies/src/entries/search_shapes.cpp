@@ -67,7 +67,7 @@ void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostic
   if (study.tolerances.empty()) return;
   if (study.solver.solver == kNsga2)
     diagnostics.add(given.find("solver")->mark, given.path("solver"),
-                    quoted(kNsga2) + " beside tolerances",
+                    quoted(kNsga2) + " together with tolerances",
                     "leave it out: a front under tolerances needs gradients");
   if (const YamlNode* choose = given.find("choose"))
     diagnostics.add(choose->mark, given.path("choose"),
@@ -139,16 +139,12 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
 // One file, or a list of files.
 Shape<std::vector<std::string>> data_files() {
   const Shape<std::string> file = path(
-      "table with columns such as speed [unit] and torque [unit]; of any metric by its name (a "
-      "metric of "
-      "a point is read at the speed of its row, or, in a table without speed, at the torque), or "
-      "conductance, "
-      "susceptance, resistance, reactance, impedance, impedance_phase of the free stator; of "
-      "parameters that were set; "
-      "and, if "
-      "wanted, torque_sd [unit] and the like (standard deviation s: the weight is 1/s^2, and the "
-      "scatter is "
-      "tested against it) or weight (factor of the point's squared residual; only ratios count)",
+      "table with columns such as speed [unit] and torque [unit]. A column may be any metric by "
+      "its name; conductance, susceptance, resistance, reactance, impedance or impedance_phase of "
+      "the free stator; or a parameter that was set. A metric of a point is read at the speed of "
+      "its row, or in a table without speed at the torque. Optional: torque_sd [unit] and others "
+      "of this kind (standard deviation s; the weight is 1/s^2, and the scatter is tested against "
+      "it), or weight (factor of the squared residual; only ratios matter)",
       "points.csv");
   const auto one = shape_as<std::vector<std::string>, std::string>(
       file, [](std::string name) { return std::vector<std::string>{std::move(name)}; },
@@ -183,7 +179,8 @@ void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics
                                 : "equal names of tables in 'data'",
           "expected two tables or more, each with a name of its own");
   if (!study.derived.empty())
-    wrong("beside 'derived'", "leave out one of them: a derived parameter has one value");
+    wrong("given together with 'derived'",
+          "leave out one of them: a derived parameter has one value");
 }
 
 bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
@@ -195,7 +192,7 @@ bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnosti
                     "one of those that 'twum solvers' lists as available");
   if (study.loss == FitLoss::huber && study.scatter == Scatter::by_column)
     diagnostics.add(given.find("loss")->mark, given.path("loss"),
-                    "'huber' beside 'scatter: by-column'",
+                    "'huber' together with 'scatter: by-column'",
                     "one of them: the scatter of a column is estimated from squares");
   check_per_file(study, given, diagnostics);
   return refuse_whole_numbers(study, given, diagnostics);
@@ -245,7 +242,7 @@ bool check_size(SizeStudy& study, const Given& given, Diagnostics& diagnostics) 
     if (const YamlNode* speed = duty->items[i].find("speed");
         !(study.duty[i].metric.request()->at > 0))
       diagnostics.add(speed->mark, given.path("duty") + "[" + std::to_string(i) + "].speed",
-                      quoted(speed->scalar) + " beside 'drive: follows'",
+                      quoted(speed->scalar) + " together with 'drive: follows'",
                       "expected a speed of more than 0 rpm");
   return check_robust_search(study, given, diagnostics);
 }
@@ -255,21 +252,19 @@ Shape<SizeStudy> SizeStudy::shape() {
   auto duty = list("operating points the motor must reach", duty_limit());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
   return mapping<S>(
-      "a motor for a duty",
+      "a motor that reaches a duty",
       {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
        choose_field<S>(), required<S>("duty", duty, &S::duty),
-       standard<S>(
-           "drive",
-           word<DutyDrive>(
-               "what reaches the points of the duty: one setting of the drive, or a drive that "
-               "follows and holds each of them",
-               {DutyDrive::fixed, DutyDrive::follows}),
-           &S::drive),
+       standard<S>("drive",
+                   word<DutyDrive>("how the drive reaches the points of the duty: with one fixed "
+                                   "setting, or adjusted to each point",
+                                   {DutyDrive::fixed, DutyDrive::follows}),
+                   &S::drive),
        limits_field("limits", &S::limits), tolerances_field<S>(), correlations_field<S>(),
-       standard<S>(
-           "prefer",
-           wanted("what is minimized among the motors that carry the duty", false, "max_pressure"),
-           &S::prefer),
+       standard<S>("prefer",
+                   wanted("metric that is minimized among the motors that reach the duty", false,
+                          "max_pressure"),
+                   &S::prefer),
        solver_field<S>(), start_field<S>()},
       check_size);
 }
@@ -279,8 +274,9 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
   return mapping<S>(
       "parameters from measurements",
       {kind_field<S>(),
-       optional<S>("data", data_files(), &S::data, "none: the first ten measurements are planned"),
-       hidden(optional<S>("columns", shapes::columns(), &S::columns, "as the headings say")),
+       optional<S>("data", data_files(), &S::data,
+                   "none: the study plans the first ten measurements"),
+       hidden(optional<S>("columns", shapes::columns(), &S::columns, "as in the headings")),
        required<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        hidden(
            optional<S>("per_file", own_per_file(), &S::per_file, "none: one value for all tables")),
@@ -290,20 +286,20 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
        standard<S>(
            "scatter",
            word<Scatter>(
-               "what the width of the intervals follows from: the scatter of the residuals, or the "
-               "standard deviations in the data, or the scatter of each column of each "
-               "table",
+               "source of the width of the confidence intervals: the scatter of all residuals, the "
+               "standard deviations in the data, or the scatter of each column of each table",
                {Scatter::estimated, Scatter::stated, Scatter::by_column}),
            &S::scatter),
        standard<S>("loss",
-                   word<FitLoss>("how residuals count: by their squares; or by their size where "
-                                 "they are large, so that outliers move the fit little",
+                   word<FitLoss>("loss function: squares of the residuals, or Huber's loss, which "
+                                 "is linear for large residuals and so less sensitive to outliers",
                                  {FitLoss::squares, FitLoss::huber}),
                    &S::loss),
-       standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
+       standard<S>("starts", count("number of local fits from different starts", "8", 1, 10000),
+                   &S::starts),
        standard<S>(
            "solver",
-           word<FitSolver>("solver of each fit; gsl:lm is GSL's, a second way to the same answer",
+           word<FitSolver>("solver of each fit; gsl:lm is the independent implementation of GSL",
                            {FitSolver::own, FitSolver::gsl}),
            &S::solver),
        standard<S>("seed", shapes::seed(), &S::seed)},

@@ -153,14 +153,14 @@ class SolverChecker {
       diagnostics_.add(name.mark, path, quoted(name.scalar) + " cannot be used here",
                        solver->description);
     else if (demands_.limits && !solver->inequality)
-      diagnostics_.add(name.mark, path, quoted(name.scalar) + " takes no limits",
+      diagnostics_.add(name.mark, path, quoted(name.scalar) + " does not support limits",
                        "nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
   }
 
   // What a name is that no solver for this study has.
   static std::string misfit(const std::string& name) {
     if (info_of(optim::solvers(), name) != nullptr)
-      return "solver " + quoted(name) + " finds no fronts";
+      return "solver " + quoted(name) + " does not compute fronts";
     if (info_of(optim::least_squares_solvers(), name) != nullptr)
       return "solver " + quoted(name) + " only fits measurements (kind: calibrate)";
     return "unknown solver " + quoted(name);
@@ -201,22 +201,22 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
   const auto evaluations = [](auto& options) -> auto& { return options.budget.evaluations; };
   Fields<O> fields{
       standard<O>("name", name, &O::solver),
-      standard<O>("starts",
-                  count("local searches from different starts; for `auto` at most", "8", 1, 1e6),
-                  &O::starts),
+      standard<O>(
+          "starts",
+          count("number of local searches from different starts; for `auto` the largest number",
+                "8", 1, 1e6),
+          &O::starts),
       standard<O>("tolerance", fraction("relative accuracy of the optimum", "1e-8"), &O::tolerance),
       standard<O>("max_evaluations", count("largest number of evaluations", "2000", 1, 1e12),
                   evaluations),
       standard<O>("seed", shapes::seed(), &O::seed),
       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))};
   if (fresh.scan > 0)  // fronts have no scan
-    fields.insert(
-        2, standard<O>(
-               "scan",
-               count("designs sampled over the whole range after the searches, to find a better "
-                     "local optimum; 0: none",
-                     "512", 0, 1e6),
-               &O::scan));
+    fields.insert(2, standard<O>("scan",
+                                 count("number of designs sampled over the whole range after the "
+                                       "searches, to find a better local optimum; 0: none",
+                                       "512", 0, 1e6),
+                                 &O::scan));
   const auto options = mapping<O>("a solver and its options", fields, {}, fresh);
   const auto plain = shape_as<O, std::string>(
       name,
@@ -226,7 +226,7 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
         return named;
       },
       [](const O& value) { return value.solver; });
-  auto shape = one_of<O>("how it is solved: a name, or a mapping of options", {plain, options},
+  auto shape = one_of<O>("solver: a name, or a mapping of options", {plain, options},
                          [](const O&) { return std::size_t{1}; });
   shape.schema.sample = "name: auto\nstarts: 8\nseed: 1";
   return shape;

@@ -28,7 +28,7 @@ study:
     - wear_intensity_at(80 rpm)
 ```
 
-Quantities carry their unit; a parameter without a unit is a plain number. `NAME` stands for a [parameter](parameters.md), by
+A quantity is written with its unit; a dimensionless one is a plain number. `NAME` stands for a [parameter](parameters.md), by
 name or symbol; its values have its dimension and lie within its range. (Below `choose`, `NAME` is a name of your own.) Where a
 [metric](metrics.md) may stand, a parameter may too. `[]` stands for every item of a list. The third column is the default of an
 entry that is left out. The page of the [solvers](solvers.md) lists the options of each solver, which stand below `solver: options:`.

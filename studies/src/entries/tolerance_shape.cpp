@@ -22,7 +22,7 @@ constexpr const char* kTolerances =
 
 // A spread has the parameter's unit but not its range: more than 0.
 Schema absolute_spread(const ParameterInfo& row) {
-  Schema schema = value_of(row).schema;
+  Schema schema = parameter_schema(row);
   schema.min = 0;
   schema.min_excluded = true;
   schema.whole = false;
@@ -145,9 +145,8 @@ bool check_order(const Tolerance& value, const Given& given, Diagnostics& diagno
 
 Shape<Tolerance> spelled_out(const ParameterInfo& row) {
   using T = Tolerance;
-  const Shape<double> value = value_of(row);
-  const auto number = [&](const char* name, auto member, std::string fallback) {
-    return optional<T>(name, value, member, std::move(fallback));
+  const auto number = [&](const char* name, const char* text, auto member, std::string fallback) {
+    return optional<T>(name, value_of(row, text), member, std::move(fallback));
   };
   const auto width = [&](const char* name, const char* text, auto member) {
     return optional<T>(name, spread(row, text), member, "none");
@@ -157,19 +156,20 @@ Shape<Tolerance> spelled_out(const ParameterInfo& row) {
   return mapping<T>(
       std::string(row.text),
       {optional<T>("distribution",
-                   word<Shape_>("its shape", {"normal", "uniform", "lognormal", "triangular",
-                                              "truncated", "weibull", "beta"}),
+                   word<Shape_>("distribution of the values",
+                                {"normal", "uniform", "lognormal", "triangular", "truncated",
+                                 "weibull", "beta"}),
                    &T::shape, "normal; with 'range' uniform"),
-       number("mean", &T::mean, "the design's value"),
-       width("sd", "standard deviation, but of a uniform or triangular one", &T::sd),
-       width("range", "half width, of a uniform one", &T::range),
-       width("below", "width below the design's value, of a triangular one", &T::below),
-       width("above", "width above the design's value, of a triangular one", &T::above),
-       number("min", &T::min, "none: no fixed values"),
-       number("mode", &T::mode, "none: no fixed values"),
-       number("max", &T::max, "none: no fixed values"),
-       number("from", &T::from, "none: of a truncated (normal) or beta distribution"),
-       number("to", &T::to, "none: likewise")},
+       number("mean", "mean; for triangular the most likely value", &T::mean, "the design's value"),
+       width("sd", "standard deviation; not for uniform and triangular", &T::sd),
+       width("range", "half width; for uniform", &T::range),
+       width("below", "width below the design's value; for triangular", &T::below),
+       width("above", "width above the design's value; for triangular", &T::above),
+       number("min", "smallest value; for uniform and triangular", &T::min, "none"),
+       number("mode", "most likely value; for triangular", &T::mode, "none"),
+       number("max", "largest value; for uniform and triangular", &T::max, "none"),
+       number("from", "lower end; for truncated and beta", &T::from, "none"),
+       number("to", "upper end; for truncated and beta", &T::to, "none")},
       [](T& into, const Given& given, Diagnostics& diagnostics) {
         const YamlNode* named = given.find("distribution");
         if (named == nullptr && given.find("range") != nullptr) into.shape = Shape_::uniform;

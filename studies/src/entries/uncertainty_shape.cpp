@@ -21,11 +21,11 @@ void check_importance(const UncertaintyStudy& study, const Given& given, Diagnos
   const std::string with = "given with method 'importance'";
   if (given.find("limits") == nullptr)
     refuse(given.node(), "limits", "missing",
-           "give 'limits': method 'importance' computes the share of motors that break them");
+           "give 'limits': method 'importance' computes the share of motors that violate them");
   if (const YamlNode* parts = given.find("parts"))
     refuse(*parts, "parts", with,
-           "measured parts are drawn whole, and the table ends where failures begin: leave it out "
-           "and give the laws of the parameters, or use method 'plain'");
+           "a table of measured parts is too short for rare failures: leave it out and give the "
+           "distributions of the parameters, or use method 'plain'");
   if (const YamlNode* metrics = given.find("metrics"))
     refuse(*metrics, "metrics", with,
            "motors drawn near their limits do not show how a metric scatters: leave it out, or use "
@@ -39,8 +39,8 @@ void check_importance(const UncertaintyStudy& study, const Given& given, Diagnos
     for (const YamlEntry& entry : variables->entries)
       if (find_parameter(entry.key) == one.parameter)
         refuse(entry.value, "variables." + entry.key, "a whole number, with method 'importance'",
-               "its law has steps, and the way to a failure follows slopes: leave it out, or use "
-               "method 'plain'");
+               "its distribution has steps, but the search for failures needs derivatives: leave "
+               "it out, or use method 'plain'");
   }
 }
 
@@ -74,19 +74,21 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
       "spread and yield under tolerances",
       {kind_field<S>(),
        optional<S>("variables", tolerances("what is uncertain"), &S::variables,
-                   "none; parts scatter"),
+                   "none; only the parts scatter"),
        hidden(optional<S>("correlations", shapes::correlations(), &S::correlations, "none")),
-       hidden(optional<S>("parts",
-                          path("table of measured parts, which are drawn whole, with a column for "
-                               "each of their parameters and if need be 'weight'",
-                               "parts.csv"),
-                          &S::parts, "none")),
+       hidden(optional<S>(
+           "parts",
+           path("table of measured parts: one row for each part, one column for each measured "
+                "parameter, and optionally 'weight'; each motor takes one whole row",
+                "parts.csv"),
+           &S::parts, "none")),
        derived_field<S>(),
        hidden(standard<S>(
            "method",
-           word<DrawMethod>("motors drawn by their tolerances, or about the points where they are "
-                            "most likely to fail: for shares of failures down to 1e-9",
-                            {DrawMethod::plain, DrawMethod::importance}),
+           word<DrawMethod>(
+               "plain: motors are drawn from their tolerances; importance: also near the points "
+               "where they are most likely to fail, for failure shares down to 1e-9",
+               {DrawMethod::plain, DrawMethod::importance}),
            &S::method)),
        optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),

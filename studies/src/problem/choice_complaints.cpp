@@ -76,7 +76,7 @@ class ChoiceCheck {
     for (const auto& [given, ignored] : set.values)
       if (given == parameter) return " gives it too";
     return " gives " + std::string(info(*info(parameter).alternative).name) +
-           ", which cannot be given beside it";
+           ", which cannot be given together with it";
   }
 
   // A parameter given by a set must not be set elsewhere.

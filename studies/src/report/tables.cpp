@@ -186,10 +186,12 @@ Json reasons_json() {
 }
 
 Json efficiencies_json() {
-  return {{"contact_efficiency", "output over the power that the stator gives to the contact"},
-          {"efficiency", "output over that power and the loss of the vibrating stator"},
-          {"overall_efficiency",
-           "output over the electrical power; every loss but that of the driver counts"}};
+  return {
+      {"contact_efficiency", "output power over the power from the stator to the contact"},
+      {"efficiency",
+       "output power over the sum of that power and the loss of the vibrating stator"},
+      {"overall_efficiency",
+       "output power over electrical power; all losses are included except that of the driver"}};
 }
 
 Json units_json() {

@@ -234,7 +234,7 @@ Json units_json(const CalibrateResult& result) {
 }  // namespace
 
 std::string estimate_remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
-  if (e.bound != Bound::none) return std::string("held by its ") + end_word(e.bound);
+  if (e.bound != Bound::none) return std::string("at its ") + end_word(e.bound);
   if (undetermined(result, e.parameter.name)) return "not determined";
   if (wider_than_range(e)) return "wider than its range";
   return CalibrateResult::of_use(e) ? "" : "hardly determined";

@@ -67,7 +67,7 @@ void add_unit_hints(const CalibrateResult& result, Notes& notes) {
   const double ratio = sizes.measured / sizes.fitted;
   if (sizes.measured > 0 && sizes.fitted > 0 && (ratio > kFar || ratio < 1 / kFar))
     notes.push_back(
-        "The torques measured are " + about(ratio > 1 ? ratio : 1 / ratio) + " times " +
+        "The measured torques are " + about(ratio > 1 ? ratio : 1 / ratio) + " times " +
         (ratio > 1 ? "larger" : "smaller") + " than those of the motor (root mean squares " +
         engineering(sizes.measured, "N.m", 3) + " and " + engineering(sizes.fitted, "N.m", 3) +
         "): check the unit of torque in the data file.");
@@ -96,8 +96,8 @@ std::string missed_words(const CalibrateResult& result) {
          (std::isfinite(part) ? ", " + about(100 * part) + " % of it" : "") +
          ". Without standard deviations, and with fewer than " +
          std::to_string(CalibrateResult::kKnownScatter) +
-         " points more than parameters, a number may be missed by 5 % of itself or 2 % of the "
-         "largest.";
+         " points more than parameters, a deviation of 5 % of the number or of 2 % of the largest "
+         "number is accepted.";
 }
 
 void add_misfit(const CalibrateResult& result, Notes& notes) {
@@ -126,8 +126,8 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
              : result.data.front().torque() ? "torque"
                                             : result.data.front().quantity) +
             " (root mean square)";
-  notes.push_back(text + "." + missed_words(result) + " Possible causes: " +
-                  (offset ? "an instrument that was not set to zero, " : "") +
+  notes.push_back(text + "." + missed_words(result) +
+                  " Possible causes: " + (offset ? "an instrument that was not zeroed, " : "") +
                   "an effect that the model leaves out, a parameter that should be "
                   "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
 }
@@ -135,30 +135,30 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
 // Widened intervals are told with the reason, so that nobody wonders about their width.
 void add_serial(const CalibrateResult& result, Notes& notes) {
   if (!result.serial || result.poor()) return;
-  notes.push_back("Neighbouring residuals are alike (correlation about " +
-                  about(result.serial->correlation) +
-                  "), as if the points were fewer. The intervals allow for it: they are up to " +
-                  about(result.serial->widening) +
-                  " times as wide as those of independent errors. If the errors drift with time, "
-                  "measure the points in random order.");
+  notes.push_back(
+      "Neighbouring residuals are correlated (coefficient about " +
+      about(result.serial->correlation) +
+      "), so the points count as fewer. The intervals take this into account: they are up to " +
+      about(result.serial->widening) +
+      " times as wide as with independent errors. If the errors drift with time, measure the "
+      "points in random order.");
 }
 
 // Deviations that are stated too large hide a misfit, and widen intervals that stand on them.
 void add_smallness(const CalibrateResult& result, Notes& notes) {
   if (!result.chi_square || 1 - result.chi_square_p >= kRare) return;
   notes.emplace_back(
-      "The residuals are smaller than the standard deviations given: chance gives so small a "
-      "chi-square less often than 1 in 100. Check the standard deviations.");
+      "The residuals are smaller than the standard deviations given: the probability of so small a "
+      "chi-square is less than 1 %. Check the standard deviations.");
 }
 
 void add_outliers(const CalibrateResult& result, Notes& notes) {
   constexpr std::size_t kMost = 5;
   constexpr double kFar = 1000;
-  const std::string remedy =
-      result.huber
-          ? "It counts little under 'loss: huber'; check the reading."
-          : "Check the reading; then leave out its line, or write 'loss: huber', under which "
-            "outliers count little.";
+  const std::string remedy = result.huber
+                                 ? "Under 'loss: huber' it has little weight. Check the reading."
+                                 : "Check the reading. Then leave out its line, or write 'loss: "
+                                   "huber', which gives outliers little weight.";
   for (std::size_t k = 0; k < std::min(kMost, result.outliers.size()); ++k) {
     const CalibrateResult::Outlier& one = result.outliers[k];
     const CalibrateResult::Point& point = result.data[one.point];
@@ -179,14 +179,14 @@ void add_outliers(const CalibrateResult& result, Notes& notes) {
 void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
   if (set.names.size() == 1) {
     notes.push_back("The data do not determine " + set.names[0] +
-                    ": give it in the motor, do not estimate it.");
+                    ": give it in the motor; do not estimate it.");
     return;
   }
   std::string text = enumeration(set.names) +
-                     " act only in combination: the data do not tell them apart. Give one of them "
-                     "in the motor, do not estimate it.";
+                     " act only in combination: the data cannot distinguish them. Give one of them "
+                     "in the motor; do not estimate it.";
   if (std::isfinite(set.undone_by))
-    text += " 1 % more " + set.names[0] + " is undone by " +
+    text += " 1 % more " + set.names[0] + " is compensated by " +
             rounded_text(std::fabs(set.undone_by), 3) + " % " +
             (set.undone_by < 0 ? "less " : "more ") + set.names[1] + ".";
   notes.push_back(std::move(text));
@@ -217,10 +217,9 @@ void add_combination(const CalibrateResult::Combination& combination, bool folde
 
 void add_several(const CalibrateResult& result, Notes& notes) {
   if (result.equals() < 2) return;
-  notes.push_back(
-      "The data cannot tell " + std::to_string(result.equals()) +
-      " different motors apart, which the table of optima lists: measure where their curves "
-      "differ most, or narrow the ranges.");
+  notes.push_back("The data cannot distinguish " + std::to_string(result.equals()) +
+                  " different motors, listed in the table of optima. Measure where their curves "
+                  "differ most, or narrow the ranges.");
 }
 
 // Pairs that are determined, but hardly apart.
@@ -233,7 +232,7 @@ void add_correlated(const CalibrateResult& result, Notes& notes) {
       if (std::fabs(c) > kStrong)
         notes.push_back(result.estimates[i].parameter.name + " and " +
                         result.estimates[j].parameter.name +
-                        " are hard to tell apart: correlation " + rounded_text(c, 4) + ".");
+                        " are strongly correlated: coefficient " + rounded_text(c, 4) + ".");
     }
   }
 }
@@ -250,11 +249,11 @@ std::string follower_words(const CalibrateResult::Estimate& e) {
 void add_held(const CalibrateResult& result, Notes& notes) {
   for (const CalibrateResult::Estimate& e : result.estimates) {
     if (e.bound == Bound::none) continue;
-    std::string text = e.parameter.name + " is held by its " + end_word(e.bound) +
-                       ": the other estimates and their intervals hold for " +
+    std::string text = e.parameter.name + " is at its " + end_word(e.bound) +
+                       ": the other estimates and their intervals are valid for " +
                        engineering(e.parameter.value, e.parameter.unit) + ".";
     const std::string followers = follower_words(e);
-    if (!followers.empty()) text += " With 1 % more of it they would change: " + followers + ".";
+    if (!followers.empty()) text += " If it were 1 % larger, they would change: " + followers + ".";
     notes.push_back(std::move(text));
   }
 }
@@ -276,12 +275,12 @@ void add_wide(const CalibrateResult& result, Notes& notes) {
                     (wide.size() == 1 ? "its interval is wider than its range."
                                       : "their intervals are wider than their ranges."));
   if (!little.empty())
-    notes.push_back("The points say little about " + enumeration(little) + ": the ends of " +
+    notes.push_back("The points determine only poorly " + enumeration(little) + ": the ends of " +
                     (little.size() == 1 ? "its interval" : "their intervals") +
                     " differ by more than a factor of 3.");
   if (!cut.empty())
     notes.push_back("The interval of " + enumeration(cut) +
-                    " ends where the range does: the points allow values beyond it.");
+                    " ends at the end of its range: the points allow values beyond it.");
 }
 
 void add_starts(const CalibrateResult& result, Notes& notes) {
@@ -291,13 +290,13 @@ void add_starts(const CalibrateResult& result, Notes& notes) {
                     [](const auto& s) { return s.outcome != optim::Outcome::optimal; });
   if (result.optima.size() == 1 && short_of == 0 && count > 1)
     notes.push_back("All " + std::to_string(count) + " starts ended in the same " +
-                    (result.undetermined.empty() ? "place." : "valley."));
+                    (result.undetermined.empty() ? "optimum." : "valley."));
   if (result.optima.size() > 1)
     notes.push_back(std::to_string(count) + " starts ended in " +
                     std::to_string(result.optima.size()) +
-                    " different places; the first in the table has the smallest residuals.");
+                    " different optima; the first in the table has the smallest residuals.");
   if (count > 1 && 2 * result.optima.size() > count)
-    notes.push_back("With so many places more starts may find a better one: try starts: " +
+    notes.push_back("With so many optima, more starts may find a better one: try starts: " +
                     std::to_string(10 * result.optima.size()) + ".");
   if (short_of > 0)
     notes.push_back(std::to_string(short_of) + " of " + counted(count, "start") +
@@ -306,15 +305,15 @@ void add_starts(const CalibrateResult& result, Notes& notes) {
 
 void add_unfinished(const CalibrateResult& result, Notes& notes) {
   if (!result.unfinished.empty())
-    notes.push_back("The search stopped short of the least residuals: " + result.unfinished +
-                    ". Run the study again with more starts.");
+    notes.push_back("The search ended before it reached the smallest residuals: " +
+                    result.unfinished + ". Run the study again with more starts.");
 }
 
 void add_freedom(const CalibrateResult& result, Notes& notes) {
   if (result.degrees_of_freedom == 0)
     notes.emplace_back(
-        "As many points as parameters: no residuals are left that show how good the estimates "
-        "are.");
+        "There are as many points as parameters, so there are no residuals that show how good the "
+        "estimates are.");
   if (result.exact) notes.emplace_back("The points lie on the curve to rounding.");
   if (result.exact && !result.stated)
     notes.emplace_back(
@@ -322,7 +321,7 @@ void add_freedom(const CalibrateResult& result, Notes& notes) {
         "accuracy of the instrument as standard deviations and write 'scatter: stated'.");
   if (result.static_ratio != 1)
     notes.push_back("static_friction is " + rounded_text(result.static_ratio, 4) +
-                    " times kinetic_friction, as in the motor, and followed it.");
+                    " times kinetic_friction, as in the motor, and changed with it.");
 }
 
 }  // namespace
@@ -341,8 +340,8 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
   if (result.estimates.empty()) return notes;
   if (result.at_bounds())
     notes.emplace_back(
-        "Every parameter is held by an end of its range, so that nothing was fitted: check the "
-        "units in the heading of the data file, then the ranges.");
+        "Every parameter is at an end of its range, so nothing was fitted. Check the units in the "
+        "heading of the data file, then the ranges.");
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
   add_serial(result, notes);

@@ -12,18 +12,18 @@ std::vector<MotionNote> motion_notes(const motion::Motion& motion) {
   };
   std::vector<MotionNote> notes;
   if (happens(MotionEventKind::too_fast))
-    notes.push_back({"motion-too-fast",
-                     "Wave and rotor change within less than thirty turns of the wave, for which "
-                     "the averaged engine is not made; "
-                     "'engine: oscillating' is."});
+    notes.push_back(
+        {"motion-too-fast",
+         "The wave and the rotor change within fewer than about five turns of the wave, which is "
+         "too fast for the averaged engine. Use 'engine: oscillating'."});
   if (happens(MotionEventKind::squeals))
-    notes.push_back({"squeals-while-moving",
-                     "A backward wave has grown, which this motion leaves out: the motor squeals, "
-                     "and is slower than computed until "
-                     "it has passed these speeds; 'engine: oscillating' includes it."});
+    notes.push_back(
+        {"squeals-while-moving",
+         "A backward wave grows, which this motion leaves out. The motor squeals and is slower "
+         "than computed at these speeds. 'engine: oscillating' includes the backward wave."});
   if (happens(MotionEventKind::bounces))
     notes.push_back({"bounces",
-                     "The rotor begins to hop on its preload, which this motion leaves out; "
+                     "The rotor begins to hop against its preload, which this motion leaves out. "
                      "'axial: dynamic' includes it."});
   return notes;
 }

@@ -63,9 +63,8 @@ Phrase efficiency_note(const std::vector<NamedValue>& metrics) {
   };
   if (!any({"contact_efficiency"}) || !any({"max_efficiency", "efficiency_at"})) return {};
   return {
-      "Contact efficiency is the rotor's output over the power that the stator gives to the "
-      "contact; efficiency counts the power lost in the vibrating stator as well, so it is the "
-      "smaller one."};
+      "Contact efficiency is the rotor's output power over the power from the stator to the "
+      "contact. Efficiency also includes the loss in the vibrating stator, so it is smaller."};
 }
 
 std::vector<Section> sections_of(const CurveResult& answer, const Sources& /*sources*/) {
@@ -78,7 +77,7 @@ std::vector<Section> sections_of(const CurveResult& answer, const Sources& /*sou
     metrics.sentences.push_back(member_phrase(answer, member));
     append(metrics.sentences.back(),
            {": " + std::to_string(member.failed) + " of " + std::to_string(member.points) +
-            " points without an answer."});
+            " points could not be computed."});
   }
   metrics.tables = {metric_table(answer)};
   return {torque, metrics, hooked("others")};

@@ -69,7 +69,7 @@ Table limit_table(const UncertaintyResult& answer, const std::vector<std::size_t
     table.rows.push_back({{limit_part(limit.text)}});
     for (const std::size_t k : order)
       table.rows.back().push_back(
-          {limit.causes[k].low > 0 ? share2(limit.causes[k].value) : Part("none seen")});
+          {limit.causes[k].low > 0 ? share2(limit.causes[k].value) : Part("none found")});
   }
   return table;
 }
@@ -86,7 +86,7 @@ std::vector<Phrase> cause_sentences(const UncertaintyResult& answer,
   if (hardly.empty()) return list;
   Phrase phrase = listed(hardly);
   append(phrase, {hardly.size() == 1 ? " causes" : " each cause", " less than ",
-                  share_part(kHardlyCauses), " of them: a wider tolerance may do."});
+                  share_part(kHardlyCauses), " of them: a wider tolerance may be sufficient."});
   list.push_back(capitalized(std::move(phrase)));
   return list;
 }
@@ -106,29 +106,29 @@ Phrase failing_phrase(const UncertaintyResult& answer) {
   const Estimate& failing = answer.broken;
   if (failing.value > 0) {
     Phrase phrase = strong(millions_phrase(failing.value));
-    append(phrase, {" motors break a limit (between " + in_a_million(failing.low) + " and " +
+    append(phrase, {" motors violate a limit (between " + in_a_million(failing.low) + " and " +
                         in_a_million(failing.high) + " with ",
                     share_part(answer.confidence, 3), " confidence)."});
     return phrase;
   }
-  return {strong("No motor was found that breaks a limit"), ": with ",
+  return {strong("No motor was found that violates a limit"), ": with ",
           share_part(answer.confidence, 3),
           " confidence fewer than " + in_a_million(failing.high) + " in a million do."};
 }
 
 Section failure_table_section(const UncertaintyResult& answer) {
   Section section{{"Limits"},
-                  {"Motors in a million that break each limit, with the ends of the ",
+                  {"Motors in a million that violate each limit, with the ends of the ",
                    share_part(answer.confidence, 3),
                    " intervals. The index is the number of standard deviations between the design "
-                   "and the most likely motor that breaks the limit."}};
+                   "and the most likely motor that violates the limit."}};
   Table table{"failures",
               {{"limit"},
-               {"in a million break it"},
+               {"in a million violate it"},
                {"at least"},
                {"at most"},
                {"index"},
-               {"most likely motor that breaks it"}},
+               {"most likely motor that violates it"}},
               {}};
   const auto add = [&](Part name, const Estimate& e, double index, Phrase likeliest) {
     std::vector<Phrase> row{{std::move(name)}};
@@ -145,7 +145,7 @@ Section failure_table_section(const UncertaintyResult& answer) {
                          value_part(limit.likeliest[k], answer.variables[k].unit)});
     add(limit_part(limit.text), limit.broken, limit.index, std::move(likeliest));
   }
-  add("any of them", answer.broken, std::nan(""), {""});
+  add("any limit", answer.broken, std::nan(""), {""});
   section.tables = {table};
   return section;
 }
@@ -154,16 +154,16 @@ std::vector<Section> cause_sections(const UncertaintyResult& answer) {
   if (!(answer.broken.value > 0) || !answer.parts.empty() || answer.variables.size() < 2) return {};
   Section section{{"Which tolerance causes the failures"}};
   if (answer.causes.empty()) {
-    section.note = {
-        answer.broken.value < 0.5
-            ? "Too few motors break a limit to tell: draw more, or use method 'importance'."
-            : "So many motors break a limit that no tolerance stands out: change the design."};
+    section.note = {answer.broken.value < 0.5 ? "Too few motors violate a limit to estimate the "
+                                                "causes: draw more, or use method 'importance'."
+                                              : "So many motors violate a limit that no single "
+                                                "tolerance is the cause: change the design."};
     return {section};
   }
   const std::vector<std::size_t> order = by_share(answer);
   section.note = {
-      "Share of each tolerance in the failures, from the motors that break a limit. It may differ "
-      "from its share in the scatter of a metric."};
+      "Share of each tolerance in the failures, from the motors that violate a limit. It may "
+      "differ from its share in the scatter of a metric."};
   section.bars.name = "causes";
   section.bars.title = {"which tolerance causes the failures"};
   section.bars.axis = {"of the failures"};

@@ -110,9 +110,9 @@ std::vector<Section> circle(const CalibrateResult& answer, const std::vector<Fit
     chart.series.push_back({"fit", Stroke::path, {"", along->value}, {"", up->value}});
   chart.series.push_back(std::move(dots));
   chart.one_scale = true;
-  Section section{{"Impedance circle"},
-                  {"Admittance of a phase of the free stator over frequency. Both axes have one "
-                   "scale."}};
+  Section section{
+      {"Impedance circle"},
+      {"Admittance of a phase of the free stator over frequency. Both axes have the same scale."}};
   section.wide = false;
   section.charts = {chart};
   return {section};
@@ -160,15 +160,14 @@ Section profile_section(const CalibrateResult& answer, const Fitted& e) {
     linear.values.push_back(std::pow(best->slope * (value - e.parameter.value), 2));
   }
   Section section{{"Profile of "},
-                  {"How much the smallest sum of squares rises if this parameter is fixed at a "
-                   "value. It is 1 at "
-                   "the ends of the ",
-                   share_part(answer.confidence), " interval, which broken lines mark."}};
+                  {"Rise of the smallest sum of squares if this parameter is fixed at a value. It "
+                   "is 1 at the ends of the ",
+                   share_part(answer.confidence), " interval, marked by dashed lines."}};
   append(section.heading, estimate_name(e));
   section.wide = false;
   if (e.low < grid.front() || e.high > grid.back())
-    append(section.note,
-           {" The interval is wider than the profile: beyond it other motors fit the data."});
+    append(section.note, {" The interval is wider than the profile: outside the profile other "
+                          "motors fit the data."});
   Chart chart{"profile " + e.parameter.name,
               section.heading,
               {estimate_name(e), e.parameter.unit, false, grid.front(), grid.back()},
@@ -197,7 +196,7 @@ ReadAt place_of(const Reading& point, std::size_t index) {
   if (point.argument == Argument::torque) return {{"torque"}, "N.m", point.at};
   for (const NamedValue& one : point.set)
     if (one.name == "frequency") return {{name_part(one.name)}, one.unit, one.value};
-  return {{"number in the data"}, "1", static_cast<double>(index + 1)};
+  return {{"place in the data"}, "1", static_cast<double>(index + 1)};
 }
 
 Section residual_section(const CalibrateResult& answer, const std::string& quantity, bool alone) {
@@ -227,12 +226,12 @@ Section residual_section(const CalibrateResult& answer, const std::string& quant
 // Numbers of which the data have one each: what the fit misses of each, in parts of it.
 Section single_section(const CalibrateResult& answer,
                        const std::map<std::string, std::size_t>& counts) {
-  Section section{{"Residuals of single numbers"},
-                  {"Each number that the data give once, with its place in the list of points."}};
+  Section section{{"Residuals of single values"},
+                  {"Numbers that occur once in the data, by their place in the list of points."}};
   section.wide = false;
   Series dots{"", Stroke::dots};
-  Chart chart{"residuals of single numbers", section.heading};
-  chart.x = {{"number in the data"}, "1"};
+  Chart chart{"residuals of single values", section.heading};
+  chart.x = {{"place in the data"}, "1"};
   chart.y = {{"measured - fitted"}, "%", true};
   for (std::size_t i = 0; i < answer.data.size(); ++i) {
     const Reading& point = answer.data[i];

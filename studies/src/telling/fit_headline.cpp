@@ -12,14 +12,14 @@ namespace {
 
 const char* begin_words(StudyOutcome outcome) {
   switch (outcome) {
-    case StudyOutcome::fitted: return "The data say: ";
-    case StudyOutcome::poor:
-      return "The motor does not follow these points; it comes nearest with ";
-    case StudyOutcome::several: return "Several motors fit equally well; one of them has ";
+    case StudyOutcome::fitted: return "Estimates: ";
+    case StudyOutcome::poor: return "The motor does not fit these points. The best fit has ";
+    case StudyOutcome::several: return "Several motors fit equally well. One of them has ";
     case StudyOutcome::undetermined:
-      return "The points do not determine all of these; they are fitted best by ";
-    case StudyOutcome::at_bounds: return "Nothing was fitted: the search stopped at ";
-    default: return "The search stopped short, at ";
+      return "The points do not determine all of these parameters. The best fit has ";
+    case StudyOutcome::at_bounds:
+      return "Nothing was fitted: every parameter is at an end of its range, ";
+    default: return "The search ended before it reached the best fit, at ";
   }
 }
 
@@ -59,8 +59,10 @@ Headline no_fit(const CalibrateResult& answer) {
 Headline headline_of(const CalibrateResult& answer, const StudyResult& result) {
   using Look = Headline::Look;
   if (answer.unmeasured)
-    return {
-        Look::plain, "", {{"Nothing is measured yet. The table says what to measure first."}}, {}};
+    return {Look::plain,
+            "",
+            {{"Nothing is measured yet. The table lists the first measurements to make."}},
+            {}};
   if (answer.estimates.empty()) return no_fit(answer);
   Phrase first{begin_words(result.outcome)};
   bool doubtful = result.outcome != StudyOutcome::fitted;

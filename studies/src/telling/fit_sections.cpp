@@ -53,7 +53,7 @@ Section estimates(const CalibrateResult& answer) {
   }
   for (const NamedValue& value : answer.derived)
     section.sentences.push_back(
-        {name_part(value.name), " follows: ", value_part(value.value, value.unit), "."});
+        {name_part(value.name), " is derived: ", value_part(value.value, value.unit), "."});
   section.tables = {table};
   return section;
 }
@@ -62,9 +62,9 @@ std::vector<Section> correlation(const CalibrateResult& answer) {
   const std::size_t n = answer.estimates.size();
   if (n < 2) return {};
   Section section{{"Correlation of the estimates"},
-                  {"Near 1 or -1 the data hardly tell the two parameters apart."}};
+                  {"Near 1 or -1 the data hardly distinguish the two parameters."}};
   if (answer.folded)
-    append(section.note, {" A dash stands for one that is unknown: " + fold_words() + "."});
+    append(section.note, {" A dash marks an unknown value: " + fold_words() + "."});
   section.wide = needs_width(answer);
   Table table{"correlation", {{"parameter"}}, {}};
   table.shaded = true;
@@ -125,7 +125,7 @@ Phrase neighbour_phrase(const CalibrateResult& answer) {
   if (answer.alike())
     return with_chance(
         {"The " + count + " residuals of " + quantity + " in order of ", name_part(over),
-         " are nearly equal: chance makes neighbours as much alike with "},
+         " are nearly equal; independent residuals would be as similar with "},
         answer.neighbours->p);
   return with_chance(
       {"Neighbouring residuals of " + quantity + " in order of ", name_part(over), ": correlation ",
@@ -177,7 +177,7 @@ Table optima_table(const CalibrateResult& answer) {
       table.rows.back().push_back(
           {value_part(optimum.values[j], answer.estimates[j].parameter.unit)});
     table.rows.back().push_back({&optimum == &answer.optima.front() ? "the answer"
-                                 : optimum.fits_as_well             ? "fits as well"
+                                 : optimum.fits_as_well             ? "fits equally well"
                                  : optimum.same_valley              ? "same valley"
                                                                     : "-"});
   }
@@ -185,7 +185,7 @@ Table optima_table(const CalibrateResult& answer) {
 }
 
 Section fit_quality(const CalibrateResult& answer) {
-  Section section{{"How well it fits"}};
+  Section section{{"Quality of the fit"}};
   section.sentences = test_phrases(answer);
   if (answer.optima.size() > 1) section.tables = {optima_table(answer)};
   return section;
@@ -196,9 +196,9 @@ Section points(const CalibrateResult& answer) {
       std::ranges::any_of(answer.data, [](const Reading& p) { return p.deviation > 0; });
   std::map<std::size_t, double> outliers;
   for (const CalibrateResult::Outlier& one : answer.outliers) outliers[one.point] = one.p;
-  Section section{{"The points"}};
+  Section section{{"Points"}};
   section.wide = stated || !outliers.empty();
-  Table table{"points", {{"what"}, {"measured"}, {"fitted"}, {"residual"}}, {}};
+  Table table{"points", {{"quantity"}, {"measured"}, {"fitted"}, {"residual"}}, {}};
   if (stated) table.heads.push_back({"in standard deviations"});
   if (!outliers.empty()) table.heads.push_back({"remark"});
   for (std::size_t i = 0; i < answer.data.size(); ++i) {
@@ -231,10 +231,9 @@ std::vector<Phrase> planned_phrases(const CalibrateResult& answer) {
     append(phrase, {&one == &answer.columns.front() ? "" : ", ", quantity_words(one.quantity), " ",
                     value_part(one.deviation, one.unit, 3)});
   append(phrase, {"."});
-  return {
-      phrase,
-      {"Measure a few of them, name their table under 'data:', and run the study again: the plan "
-       "then follows what was measured."}};
+  return {phrase,
+          {"Measure a few of these points, name their table under 'data:', and run the study "
+           "again. The plan then takes the measured points into account."}};
 }
 
 // What to measure next, and the widths of the intervals after it.
@@ -242,14 +241,14 @@ std::vector<Section> plan(const CalibrateResult& answer) {
   const bool first = answer.unmeasured;
   if (answer.plan.empty()) {
     Section none{{"The first measurements"}};
-    none.sentences = {{"No measurement can be planned: the motor has no value at any."}};
+    none.sentences = {
+        {"No measurement can be planned: the motor has no value at any of the candidate points."}};
     return first ? std::vector{none} : std::vector<Section>{};
   }
-  Section section{
-      {first ? "The first measurements" : "The next measurements"},
-      {std::string("The measurement that narrows the intervals most comes first; widths "
-                   "are those after it, relative to ") +
-       (first ? "the ranges." : "the present widths.")}};
+  Section section{{first ? "The first measurements" : "The next measurements"},
+                  {std::string("The measurement that narrows the intervals most comes first. The "
+                               "widths are those after the measurement, relative to ") +
+                   (first ? "the ranges." : "the present widths.")}};
   if (first) section.sentences = planned_phrases(answer);
   Table table{"plan", {{first ? "measure" : "measure next"}, {"all"}}, {}};
   for (const Fitted& e : answer.estimates) table.heads.push_back(estimate_name(e));
@@ -269,7 +268,7 @@ Section curves(const std::string& title) {
 }
 
 Section fitted_page() {
-  Section section{{"The fitted motor as a page"}};
+  Section section{{"Motor file of the fit"}};
   section.hook = "motor file";
   return section;
 }

@@ -43,22 +43,23 @@ Chart trade_chart(const ParetoResult& answer, std::size_t k, std::size_t l) {
 }
 
 Section trade(const ParetoResult& answer, std::size_t k, std::size_t l) {
-  Section section{{"The trade"}, {"Each point is a compromise."}};
+  Section section{{"Trade-off"}, {"Each point is a compromise."}};
   section.hook = "choose";
   section.wide = answer.goals.size() == 2;
   section.charts = {trade_chart(answer, k, l)};
   return section;
 }
 
-// "yield >= 99 % holds at 20 of 20 points, by new random motors of each."
+// "yield >= 99 % holds at 20 of 20 points, checked with new random motors of each."
 void add_yields(std::vector<Phrase>& list, const ParetoResult& answer, const std::string& of) {
   const std::vector<RobustYield>& first = answer.front.front().yields;
   for (std::size_t s = 0; s < first.size(); ++s) {
     if (first[s].verdict.empty()) continue;
     const auto holds = std::ranges::count_if(
         answer.front, [s](const FrontPoint& point) { return point.yields[s].verdict == "holds"; });
-    list.push_back({name_part(first[s].text), " ≥ ", share_part(first[s].target),
-                    " holds at " + std::to_string(holds) + of + ", by new random motors of each."});
+    list.push_back(
+        {name_part(first[s].text), " ≥ ", share_part(first[s].target),
+         " holds at " + std::to_string(holds) + of + ", checked with new random motors of each."});
   }
 }
 
@@ -92,7 +93,7 @@ void add_binding(std::vector<Phrase>& list, const ParetoResult& answer, const st
 
 Section along(const ParetoResult& answer) {
   Section section{{"Along the front"},
-                  {"One line for each point: goals, then what the design is made of."}};
+                  {"One line for each point: the goals, then the variables of the design."}};
   section.hook = "along";
   const std::string of = " of " + counted(answer.front.size(), "point");
   add_yields(section.remarks, answer, of);
@@ -161,8 +162,8 @@ std::vector<Held> held_at(const ParetoResult& answer, std::size_t i) {
 }
 
 const char* others_words(const ParetoResult& answer) {
-  return answer.goals.size() == 2 ? "with the other goal where it is"
-                                  : "with the other goals where they are";
+  return answer.goals.size() == 2 ? "with the other goal unchanged"
+                                  : "with the other goals unchanged";
 }
 
 Phrase stopped_name(const Held& held) {
@@ -173,21 +174,21 @@ Phrase stopped_name(const Held& held) {
 }
 
 Section stops(const ParetoResult& answer, std::size_t i, const Sources& sources) {
-  Section section{{"What stops the "}};
+  Section section{{"Limits at the "}};
   append(section.heading, role_phrase(answer, i));
   section.note = point_phrase(answer, i);
   section.wide = false;
   const DesignReport& report = answer.front[i].report;
   if (report.certificate.weights.empty()) {
     section.sentences = {
-        {"This front was found without derivatives: what its limits are worth is not known."}};
+        {"This front was computed without derivatives, so the effect of its limits is unknown."}};
     return section;
   }
   for (const Held& held : held_at(answer, i)) {
     std::vector<Phrase> phrases =
         holder_phrases(held.standings, held.goals, report, whole_ends_of(report, sources), sources);
     if (phrases.empty()) {
-      section.sentences.push_back({"No limit stops "});
+      section.sentences.push_back({"No limit restricts "});
       append(section.sentences.back(), stopped_name(held));
       append(section.sentences.back(), {"."});
     }
@@ -225,17 +226,15 @@ Section as_table(const ParetoResult& answer) {
 }
 
 Section limits_at(const ParetoResult& answer, const Held& held, bool alone) {
-  Section section{{alone ? "What stops it" : "What stops "}};
+  Section section{{alone ? "Limits" : "Limits at "}};
   if (!alone) append(section.heading, stopped_name(held));
-  section.note =
-      held.goals.size() > 1
-          ? Phrase{std::string(
-                       "Loosened by 1 %, a limit that binds changes one goal or the other as "
-                       "said, to first order, ") +
-                   others_words(answer) + "."}
-          : Phrase{
-                "What would improve this end of the front further, regardless of the other goals, "
-                "to first order."};
+  section.note = held.goals.size() > 1
+                     ? Phrase{std::string("Change of one goal or the other if an active limit is "
+                                          "loosened by 1 %, to first order, ") +
+                              others_words(answer) + "."}
+                     : Phrase{
+                           "Changes that would improve this end of the front further, without "
+                           "regard to the other goals, to first order."};
   section.tables = {limits_table(held.standings, held.goals)};
   return section;
 }

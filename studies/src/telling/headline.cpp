@@ -12,13 +12,13 @@ namespace {
 const char* outcome_words(StudyOutcome outcome) {
   switch (outcome) {
     case StudyOutcome::optimal: return "optimal";
-    case StudyOutcome::feasible: return "keeps the limits, not shown to be best";
-    case StudyOutcome::infeasible: return "no design keeps the limits";
-    case StudyOutcome::budget: return "stopped by its budget";
+    case StudyOutcome::feasible: return "feasible, optimality not verified";
+    case StudyOutcome::infeasible: return "no feasible design";
+    case StudyOutcome::budget: return "stopped at its evaluation limit";
     case StudyOutcome::failed: return "nothing could be computed";
     case StudyOutcome::done: return "complete";
-    case StudyOutcome::fitted: return "the motor follows the points";
-    case StudyOutcome::poor: return "the motor does not follow the points";
+    case StudyOutcome::fitted: return "the motor fits the points";
+    case StudyOutcome::poor: return "the motor does not fit the points";
     case StudyOutcome::several: return "several motors fit equally well";
     case StudyOutcome::undetermined: return "the points do not determine every parameter";
     case StudyOutcome::at_bounds: return "every parameter at an end of its range";
@@ -86,7 +86,7 @@ Headline headline(const StudyResult& result) {
   if (result.outcome == StudyOutcome::interrupted)
     told = {Headline::Look::bad,
             "",
-            {{strong("This study was interrupted"), "; what is here is not all of it."}},
+            {{strong("This study was interrupted"), "; these results are incomplete."}},
             {}};
   else
     told =

@@ -33,7 +33,7 @@ Phrase temperature_sentence(const Motor& motor, const PartTemperatures& temperat
   Phrase phrase{"the " + part_name(motor, part) + " " + verb + " ",
                 strong(celsius_part(at(temperatures, kHeated[part].part)))};
   if (!std::isfinite(near.margin))
-    append(phrase, {"; no limit of temperature is given"});
+    append(phrase, {"; no temperature limit is given"});
   else if (near.margin < 0)
     append(phrase, {", ", bad("too hot"), " by ", value_part(-near.margin, "K", 3)});
   else
@@ -48,7 +48,7 @@ Phrase steady_sentence(const HeatResult& answer, const Motor& motor) {
   const Steady& steady = *motor.steady;
   append(phrase, {" "});
   if (steady.status == "ok") {
-    append(phrase, temperature_sentence(motor, steady.temperatures, "gets"));
+    append(phrase, temperature_sentence(motor, steady.temperatures, "reaches"));
     if (steady.on_time_status == "ok")
       append(phrase, {"; from cold it may run for ", strong(time_part(steady.on_time))});
   } else if (steady.lost_after > 0) {

@@ -42,14 +42,14 @@ void for_motors(const HeatResult& answer, Has has, Add add) {
 
 Phrase gain_remark(const Steady& steady) {
   if (!(steady.gain > kMuchGain)) return {};
-  return {"The losses follow the temperature: a rise of 1 K causes another ",
+  return {"The losses depend on the temperature: a rise of 1 K causes a further rise of ",
           value_part(steady.gain, "K", 2),
-          ". A little more load, or a warmer room, may leave no steady temperature."};
+          ". With a little more load, or a warmer ambient, there may be no steady temperature."};
 }
 
 Section temperatures(const HeatResult& answer) {
-  Section section{{"Steady temperatures"}, {"After a long time under the load."}};
-  Table table{"steady", {{"motor"}, {"part"}, {"temperature"}, {"limit"}, {"left"}}, {}};
+  Section section{{"Steady temperatures"}, {"Final temperatures under constant load."}};
+  Table table{"steady", {{"motor"}, {"part"}, {"temperature"}, {"limit"}, {"margin"}}, {}};
   table.keys = 2;
   for_motors(answer, is_steady, [&](const Motor& motor) {
     for (std::size_t i = 0; i < parts_of(motor); ++i) {
@@ -71,7 +71,7 @@ Phrase on_time_cell(const Steady& steady) {
   if (steady.on_time_status != "ok" && steady.lost_after > 0)
     return {bad("loses its load"), " after ", time_part(steady.lost_after)};
   if (steady.on_time_status == "ok") return {time_part(steady.on_time)};
-  if (steady.on_time_status == "never-too-hot") return {good("for ever")};
+  if (steady.on_time_status == "never-too-hot") return {good("without limit")};
   return {steady.on_time_status == "undefined" ? "no limit given" : steady.on_time_status};
 }
 
@@ -81,9 +81,9 @@ Phrase share_cell(const Steady& steady) {
 }
 
 Section running_times(const HeatResult& answer) {
-  Section section{{"How long it may run"},
-                  {"The time from cold until the first limit of temperature is reached, and the "
-                   "largest share of the operation's period."}};
+  Section section{{"Permitted time"},
+                  {"The time from cold until the first temperature limit is reached, and the "
+                   "largest permitted share of the operation's period."}};
   Table table{
       "times",
       {{"motor"}, {"from cold"}, {"share of the period"}, {"loop gain"}, {"slowest time constant"}},
@@ -120,7 +120,7 @@ std::vector<std::pair<const char*, double>> ways_of_heat(const Motor& motor) {
 }
 
 Section losses(const HeatResult& answer) {
-  Section section{{"Where the heat arises"}, {"Losses at the steady temperatures."}};
+  Section section{{"Heat sources"}, {"Losses at the steady temperatures."}};
   Table table{
       "losses", {{"motor"}, {"friction"}, {"layer"}, {"stator"}, {"dielectric"}, {"all"}}, {}};
   for_motors(answer, is_steady, [&](const Motor& motor) {
@@ -138,13 +138,14 @@ Section losses(const HeatResult& answer) {
 
 // Of one motor: the bars of a family would not compare.
 Section heat_flow(const Motor& motor) {
-  Section section{{"Where the heat goes"},
-                  {"Heat on each way in the steady state. A negative one flows the other way."}};
-  Table table{"heat-flow", {{"way"}, {"heat"}}, {}};
+  Section section{
+      {"Heat flow"},
+      {"Heat on each path in the steady state. A negative value flows in the opposite direction."}};
+  Table table{"heat-flow", {{"path"}, {"heat"}}, {}};
   for (const auto& [way, watts] : ways_of_heat(motor))
     table.rows.push_back({{way}, {value_part(watts, "W", 3)}});
   section.bars = {.name = "heat-flow",
-                  .title = {"heat on each way"},
+                  .title = {"heat on each path"},
                   .axis = {"heat"},
                   .unit = "W",
                   .of = 1,
@@ -157,7 +158,7 @@ Section heat_flow(const Motor& motor) {
 Section cold_and_warm(const HeatResult& answer) {
   Section section{{"Cold and warm"},
                   {"The motor at its reference temperature, and at its steady temperatures."}};
-  Table table{"changes", {{"motor"}, {"what"}, {"cold"}, {"warm"}}, {}};
+  Table table{"changes", {{"motor"}, {"quantity"}, {"cold"}, {"warm"}}, {}};
   table.keys = 2;
   for_motors(answer, is_steady, [&](const Motor& motor) {
     for (const HeatResult::Change& one : motor.steady->changes) {
@@ -256,16 +257,16 @@ Section warm_ups(const HeatResult& answer) {
 Section settling(const HeatResult& answer) {
   const Motor& motor = answer.members.front();
   const Steady& steady = *motor.steady;
-  Section section{{"Where it settles"},
-                  {"Losses, and the heat that leaves, over the temperature of the stator. They are "
-                   "equal in a steady state; where the losses fall below the heat that leaves it "
-                   "is stable."}};
+  Section section{{"Steady states"},
+                  {"Losses and heat outflow over the temperature of the stator. They are equal in "
+                   "a steady state. The state is stable if above its temperature the outflow is "
+                   "larger than the losses."}};
   Chart chart{"balance",
-              {"losses and heat that leaves"},
+              {"losses and heat outflow"},
               {{"stator temperature"}, "degC"},
               {{"power"}, "W", true}};
   Series produced{"losses", Stroke::line, {}, {}, "c1"},
-      leaving{"heat that leaves", Stroke::line, {}, {}, "c0"};
+      leaving{"heat outflow", Stroke::line, {}, {}, "c0"};
   for (const HeatBalance& point : steady.balance) {
     if (point.status != MetricStatus::ok) continue;
     for (Series* one : {&produced, &leaving})
@@ -308,8 +309,8 @@ double period_of_cycle(const HeatResult::Cycle& cycle) {
 
 Section operations(const HeatResult& answer) {
   Section section{{"Over the operation"},
-                  {"One period, long after the start, when every period is the same."}};
-  Table peaks{"peaks", {{"motor"}, {"part"}, {"peak"}, {"mean"}, {"limit"}, {"left"}}, {}};
+                  {"One period of the operation, once all periods are alike."}};
+  Table peaks{"peaks", {{"motor"}, {"part"}, {"peak"}, {"mean"}, {"limit"}, {"margin"}}, {}};
   Table phases{"phases", {{"motor"}, {"phase"}, {"lasts"}, {"losses"}}, {}};
   peaks.keys = phases.keys = 2;
   for_motors(answer, has_cycle, [&](const Motor& motor) {

@@ -24,12 +24,12 @@ Phrase worn_phrase(const LifeResult& answer, const Worn& motor) {
 Phrase ended_phrase(const Worn& motor) {
   for (const LifeResult::Limit& limit : motor.limits)
     if (limit.ended && motor.life.end == EndOfLife::limit)
-      return {"it does not keep ", limit_part(limit.text), " any more"};
+      return {"it violates ", limit_part(limit.text)};
   switch (motor.life.end) {
     case EndOfLife::depth_limit: return {"the depth reaches its limit"};
     case EndOfLife::preload_gone: return {"the spring has relaxed"};
     case EndOfLife::worn_through: return {"the lining is worn through"};
-    case EndOfLife::load_lost: return {"it does not carry the load any more"};
+    case EndOfLife::load_lost: return {"the motor no longer carries the load"};
     case EndOfLife::limit:
     case EndOfLife::none: break;
   }
@@ -42,9 +42,8 @@ Phrase why_none(const Worn& motor) {
 }
 
 Section lives(const LifeResult& answer) {
-  Section section{{"Lives"},
-                  {"How deep the track has worn when the life ends, and after how long."}};
-  Table table{"lives", {{"motor"}, {"depth"}, {"time"}, {"revolutions"}, {"ends because"}}, {}};
+  Section section{{"Life"}, {"Wear depth at the end of the life, and the time until then."}};
+  Table table{"lives", {{"motor"}, {"depth"}, {"time"}, {"revolutions"}, {"end of life"}}, {}};
   for (const Worn& motor : answer.members) {
     std::vector<Phrase> row{worn_phrase(answer, motor)};
     if (has_life(motor))
@@ -61,11 +60,10 @@ Section lives(const LifeResult& answer) {
 }
 
 Phrase slice_remark() {
-  return {
-      "The motor has one slice, ", bad("which is useless for wear"),
-      ": rotor and wave agree over its whole width, and it wears a half to a thirteenth of what "
-      "a real track does. Write ",
-      name_part("radial_slices"), ": auto."};
+  return {"The motor has one slice, ", bad("which is not valid for wear"),
+          ": one slice leaves out the sliding that the different speeds over the width of the "
+          "track cause. For the example drive-60 it gives a half to a thirteenth of the wear. Set ",
+          name_part("radial_slices"), ": auto."};
 }
 
 double hours_of(const LifeResult::Point& point) { return point.wear.seconds / kHour; }
@@ -73,10 +71,12 @@ double hours_of(const LifeResult::Point& point) { return point.wear.seconds / kH
 // Of the motor alone: how far each limit is kept, as a share of what the new motor had.
 Section margins(const Worn& motor) {
   Section section{{"Margins over the life"},
-                  {"What is left of each limit, of what the new motor had. The first that reaches "
-                   "zero ends the life."}};
-  Chart chart{
-      "margins", {"what is left of each limit"}, {{"time"}, "h", true}, {{"left"}, "%", true}};
+                  {"Margin to each limit, as a share of the margin of the new motor. The first "
+                   "limit whose margin reaches zero ends the life."}};
+  Chart chart{"margins",
+              {"remaining margin of each limit"},
+              {{"time"}, "h", true},
+              {{"margin"}, "%", true}};
   for (std::size_t j = 0; j < motor.limits.size(); ++j) {
     Series series{written({limit_part(motor.limits[j].text)}, Writing::read),
                   Stroke::line,
@@ -146,8 +146,8 @@ Section courses(const LifeResult& answer) {
 }
 
 Section new_and_worn(const LifeResult& answer) {
-  Section section{{"New and worn"}, {"The motor as it is new, and at the end of its life."}};
-  Table table{"new-and-worn", {{"motor"}, {"what"}, {"new"}, {"worn"}}, {}};
+  Section section{{"New and worn"}, {"The motor when new and at the end of its life."}};
+  Table table{"new-and-worn", {{"motor"}, {"quantity"}, {"new"}, {"worn"}}, {}};
   table.keys = 2;
   for (const Worn& motor : answer.members) {
     if (motor.points.empty()) continue;
@@ -193,7 +193,7 @@ Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
     append(phrase, {", with "}), append(phrase, worn_phrase(answer, motor)), append(phrase, {","});
   append(phrase, {" the motor "});
   if (has_life(motor)) {
-    append(phrase, {answer.family ? "lives longest, for " : "lives for ",
+    append(phrase, {answer.family ? "has the longest life, " : "has a life of ",
                     strong(time_part(motor.life.seconds)), " or ",
                     value_part(motor.life.revolutions, "1"), " revolutions, until "});
     append(phrase, ended_phrase(motor));

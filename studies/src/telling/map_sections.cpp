@@ -64,14 +64,14 @@ Phrase reason_phrase(const MapResult& answer, const MapResult::Duty& duty) {
   const std::string& status = duty.at.status;
   const Part needed = value_part(duty.needed, duty.unit);
   if (status == "ok" && duty.at.values[place_of(answer, "held_by_control_only")] != 0)
-    return {good("held"), " by the control only: a drive that stays would lose it"};
+    return {good("held"), " only with speed control: with a constant drive this point is unstable"};
   if (status == "ok") return {good("held")};
   if (status == "torque-out-of-reach") return {bad("not held"), ": friction carries ", needed};
   if (status == "voltage-too-low") return {bad("not held"), ": it needs ", needed};
   if (status == "amplitude-too-low") return {bad("not held"), ": it needs a wave of ", needed};
   if (status == "outside-frequency-range") return {bad("not held"), ": it needs ", needed};
-  if (status == "unstable-amplitude") return {bad("not held"), ": its wave is not stable"};
-  return {bad("not held"), ": its wave could not be computed"};
+  if (status == "unstable-amplitude") return {bad("not held"), ": the wave is unstable"};
+  return {bad("not held"), ": the wave could not be computed"};
 }
 
 void add_contours(Chart& chart, const ValueGrid& grid, const StoredColumn& column) {
@@ -175,10 +175,10 @@ Chart map_chart(const MapResult& answer, std::size_t number) {
 }
 
 Section map_section(const MapResult& answer, std::size_t number) {
-  Section section{member_phrase(answer, answer.members[number]),
-                  {"At each point the drive is set such that it holds the torque at the speed. A "
-                   "thin line has "
-                   "one value; lines of one output power have the colour of the key."}};
+  Section section{
+      member_phrase(answer, answer.members[number]),
+      {"At each point the drive is adjusted to hold the torque at the speed. Thin lines are "
+       "contours; coloured lines are contours of the output power, as in the key."}};
   if (!answer.family)
     section.heading = {name_part(answer.columns[answer.shown].name), " over speed and torque"};
   section.charts = {map_chart(answer, number)};
@@ -214,8 +214,8 @@ Section duties(const MapResult& answer) {
   constexpr std::array kDrive{"drive_frequency", "drive_voltage", "amplitude"};
   constexpr std::array kPower{"phase_current", "electrical_power", "overall_efficiency",
                               "efficiency", "wear_intensity"};
-  Section section{{"The duty"}, {"What the motor needs at the points that were asked for."}};
-  Table drive{"duty", {{"motor"}, {"point"}, {"drive"}, {"torque left"}}, {}};
+  Section section{{"The duty"}, {"Requirements of the motor at the duty points."}};
+  Table drive{"duty", {{"motor"}, {"point"}, {"drive"}, {"torque margin"}}, {}};
   Table power{"duty-power", {{"motor"}, {"point"}}, {}};
   drive.keys = power.keys = 2;
   add_duty_rows(drive, answer, kDrive, true);
@@ -243,13 +243,13 @@ std::string points_text(const std::map<std::string, std::uint64_t>& reasons) {
 }
 
 Section ends(const MapResult& answer) {
-  Section section{{"What the drive holds"},
-                  {"The best point of the map, the ends of the drive, and why it does not hold the "
-                   "other points."}};
+  Section section{{"Limits of the drive"},
+                  {"The best point of the map, the largest torque and speed that the drive holds, "
+                   "and the reasons for the points that it does not hold."}};
   Table table{"ends",
               {{"motor"},
                {"best ", name_part(answer.columns[answer.efficiency].name)},
-               {"where"},
+               {"at"},
                {"largest torque"},
                {"largest speed"},
                {"points held"},

@@ -110,7 +110,7 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
   append(phrase, {"turns at ", strong(value_part(at.speed, "rad/s"))});
   if (answer.reference) append(phrase, distance_phrase(at.speed, answer.reference->value, "rad/s"));
   if (const double change = last_change(motor, at); std::abs(change) > kSettled) {
-    append(phrase, {" after ", time_part(at.time), " and is still getting ",
+    append(phrase, {" after ", time_part(at.time), " and is still becoming ",
                     change > 0 ? "faster." : "slower."});
     return phrase;
   }
@@ -135,7 +135,7 @@ Phrase stopping_sentence(const MovedMotor& motor) {
   Phrase phrase{"It stops ", strong(time_part(*stopped - *motor.off_at)),
                 " after the drive is switched off"};
   if (off != motor.motion.events.end())
-    append(phrase, {", ", value_part(motor.motion.last.angle - off->angle, "rad", 3), " farther"});
+    append(phrase, {", ", value_part(motor.motion.last.angle - off->angle, "rad", 3), " further"});
   append(phrase, {"."});
   return phrase;
 }

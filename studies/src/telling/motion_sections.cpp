@@ -27,14 +27,14 @@ const char* event_words(MotionEventKind kind) {
   switch (kind) {
     case MotionEventKind::held: return "comes to rest and is held";
     case MotionEventKind::released: return "leaves rest";
-    case MotionEventKind::reversed: return "turns the other way";
+    case MotionEventKind::reversed: return "reverses";
     case MotionEventKind::started: return "the wave starts";
     case MotionEventKind::pulled_out: return "the wave pulls out";
     case MotionEventKind::overruns: return "the rotor drives the wave";
     case MotionEventKind::switched_off: return "the drive is switched off";
     case MotionEventKind::switched_on: return "the drive is switched on";
     case MotionEventKind::swapped: return "the phases are swapped";
-    case MotionEventKind::squeals: return "a backward wave has grown";
+    case MotionEventKind::squeals: return "a backward wave grows";
     case MotionEventKind::bounces: return "the rotor begins to hop";
     case MotionEventKind::too_fast: return "too fast for a periodic contact";
   }
@@ -53,7 +53,7 @@ std::vector<MotionEvent> told_events(const MovedMotor& motor) {
 }
 
 Section events(const MotionResult& answer) {
-  Section section{{"What happens"}, {}};
+  Section section{{"Events"}, {}};
   Table table{"events", {{"motor"}, {"time"}, {"event"}, {"angle"}, {"speed"}, {"amplitude"}}, {}};
   table.keys = 3;
   if (answer.family) table.typed = 4;  // a long name and all of them are wider than a terminal
@@ -68,7 +68,7 @@ Section events(const MotionResult& answer) {
                             {value_part(told[i].amplitude, "m", 3)}});
     if (told.size() > kTold)
       section.remarks.push_back(
-          {"The first ", count_part(kTold), " of ", count_part(told.size()), " events are told."});
+          {"The first ", count_part(kTold), " of ", count_part(told.size()), " events are shown."});
     for (const MotionNote& note : motion_notes(motor.motion))
       section.remarks.push_back({"Note " + note.name + ": " + note.text});
   }
@@ -149,12 +149,12 @@ Phrase step_error_remark(const MotionResult& answer, const MovedMotor& motor) {
   Phrase phrase = answer.family ? Phrase{"With "} : Phrase{};
   if (answer.family) append(phrase, family_phrase(answer.family, motor.value));
   const MotionResult::StepError& error = *motor.step_error;
-  append(
-      phrase,
-      {answer.family ? " errors of points and steps: speed " : "Errors of points and steps: speed ",
-       value_part(error.speed, "rad/s", 2), ", angle ", value_part(error.angle, "rad", 2),
-       ", amplitude ", value_part(error.amplitude, "m", 2),
-       ". These are the largest differences over time from a motion with half as many."});
+  append(phrase,
+         {answer.family ? " discretization errors: speed " : "Discretization errors: speed ",
+          value_part(error.speed, "rad/s", 2), ", angle ", value_part(error.angle, "rad", 2),
+          ", amplitude ", value_part(error.amplitude, "m", 2),
+          ". These are the largest differences over time from a motion with half as many contact "
+          "points and time steps."});
   return phrase;
 }
 
@@ -177,16 +177,16 @@ constexpr double kLeastGainMargin = 2;                      // 6 dB
 constexpr double kLeastPhaseMargin = std::numbers::pi / 4;  // 45 degrees
 
 std::string decibels(double factor) {
-  return std::isfinite(factor) ? rounded_text(20 * std::log10(factor), 3) + " dB" : "no limit";
+  return std::isfinite(factor) ? rounded_text(20 * std::log10(factor), 3) + " dB" : "unlimited";
 }
 
 std::string degrees(double angle) {
   return std::isfinite(angle) ? rounded_text(angle * 180 / std::numbers::pi, 3) + " deg"
-                              : "no limit";
+                              : "unlimited";
 }
 
 Section loops(const MotionResult& answer) {
-  Section section{{"The loop"}, {}};
+  Section section{{"Control loop"}, {}};
   Table table{"loop",
               {{"motor"},
                {"kp"},
@@ -213,11 +213,11 @@ Section loops(const MotionResult& answer) {
     if (loop.margins.gain < kLeastGainMargin || loop.margins.phase < kLeastPhaseMargin)
       section.remarks.push_back(
           {bad("The margins are small"),
-           ": below 6 dB or 45 deg a loop rings, and a motor that differs from its file may make "
-           "it unstable. Take smaller gains, or a shorter sample time or delay."});
+           ": below 6 dB or 45 deg the loop oscillates, and a motor that differs from its file may "
+           "make it unstable. Use smaller gains, or a shorter sample time or delay."});
   }
   section.remarks.push_back(
-      {"Gains and margins are those of the plant at the largest reference; at lower speeds the "
+      {"Gains and margins are those of the motor at the largest reference; at lower speeds the "
        "loop is slower."});
   section.tables = {table};
   return section;

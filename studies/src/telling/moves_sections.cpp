@@ -55,7 +55,7 @@ bool moves_any(const NamedValue& answer, const std::vector<const Move*>& order, 
 
 // Numbers that do not change have no column.
 Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Move*>& order) {
-  Table table{"moves", {{"fixed parameter"}, {"value"}}, {{{"(answer now)"}, {"-"}}}};
+  Table table{"moves", {{"fixed parameter"}, {"value"}}, {{{"(present answer)"}, {"-"}}}};
   for (const Move* move : order)
     table.rows.push_back(
         {{name_part(move->held.name)}, {value_part(move->held.value, move->held.unit)}});
@@ -109,23 +109,24 @@ Phrase example(const std::vector<NamedValue>& answer, const Move& move, const st
 std::vector<Section> moves_sections(
     const std::vector<NamedValue>& answer, const std::vector<Move>& moves, const std::string& goal,
     const std::string& missing, const std::vector<std::pair<std::string, std::string>>& touching) {
-  Section section{{"How the answer changes if a fixed parameter is 1 % larger"}};
+  Section section{{"Change of the answer if a fixed parameter is 1 % larger"}};
   if (!missing.empty()) {
     section.heading = {"Fixed parameters"};
     section.sentences = {
-        {"How the answer changes with a fixed parameter is unknown: " + missing + "."}};
+        {"The change of the answer with a fixed parameter is unknown: " + missing + "."}};
     return {section};
   }
   const std::vector<const Move*> order = by_weight(answer, moves);
   if (order.empty()) return {};
   section.note = {
-      "Each row has one parameter 1 % larger, the others as they are, and the answer found again."};
+      "In each row one parameter is 1 % larger, the others are unchanged, and the answer is found "
+      "again."};
   section.sentences = unchanged(answer, order);
   section.sentences.push_back(example(answer, *order.front(), goal));
   for (const auto& [radius, other] : touching)
-    section.sentences.push_back({name_part(radius), " has no row, because it is equal to ",
+    section.sentences.push_back({name_part(radius), " has no row, because it equals ",
                                  name_part(other),
-                                 ". Moved alone, it would make an edge of its own."});
+                                 ". Changed alone, it would create a step in the geometry."});
   section.tables = {table_of(answer, order)};
   return {section};
 }

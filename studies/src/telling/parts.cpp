@@ -60,7 +60,7 @@ std::string written_share(double share, int digits, Writing writing) {
 }
 
 std::string written_value(double value, const std::string& si_unit, int digits, Writing writing) {
-  if (std::isinf(value)) return "without end";
+  if (std::isinf(value)) return "unlimited";
   if (!std::isfinite(value)) return "-";
   const DisplayUnit unit = display_unit(value, si_unit);
   return with_unit(short_number(value / unit.divisor, digits, writing), unit.text, writing);
@@ -140,7 +140,7 @@ std::string read_request(const MetricRequest& request, const std::string& metric
     case Argument::speed_or_torque: break;
   }
   const bool counted = metric == "efficiency" || metric == "max_efficiency";
-  return name + (counted ? " (stator loss counted)" : "");
+  return name + (counted ? " (including stator loss)" : "");
 }
 
 std::string read_name(const std::string& name, Writing writing) {

@@ -103,7 +103,7 @@ Chart response_chart(const FrequencyResult& answer, const Quantity& quantity) {
 Section responses(const FrequencyResult& answer) {
   Section section{
       {answer.members.size() == 1 ? "response" : "responses"},
-      {"Solid lines are stable waves, broken lines unstable ones; a dot is the drive."}};
+      {"Solid lines are stable waves, dashed lines unstable ones. The dot is the drive."}};
   const std::string_view given = answer.load.given == Argument::speed ? "speed" : "torque";
   for (const Quantity& quantity : kResponses)
     if (quantity.column != given) section.charts.push_back(response_chart(answer, quantity));
@@ -113,19 +113,19 @@ Section responses(const FrequencyResult& answer) {
 Part squeal_part(const ResponseMember& member) {
   if (!member.running) return "-";
   const double rate = member.running->backward.squeal_rate;
-  if (std::isnan(rate)) return "not known";
+  if (std::isnan(rate)) return "unknown";
   return rate > 0 ? value_part(rate, "1/s") : Part("no");
 }
 
 Section margins(const FrequencyResult& answer) {
   Section section{{"Margin"},
-                  {"How far the drive is from the frequency at which its wave ends, and how fast a "
-                   "wave beside it grows where the motor squeals."}};
+                  {"Distance of the drive from the frequency at which its wave pulls out, and, if "
+                   "the motor squeals, the growth rate of the backward wave."}};
   Table table{"margins",
               {{"motor"},
                {"drive"},
                {"running wave"},
-               {"its speed"},
+               {"speed"},
                {"pulls out below"},
                {"margin"},
                {"squeals"}},
@@ -137,7 +137,7 @@ Section margins(const FrequencyResult& answer) {
       row.insert(row.end(), {{value_part(member.running->point.amplitude, "m")},
                              {value_part(member.running->point.speed, "rad/s")}});
     else
-      row.insert(row.end(), {{"none is steady"}, {"-"}});
+      row.insert(row.end(), {{"no steady wave"}, {"-"}});
     row.insert(row.end(),
                {{member.pull_out_below ? value_part(ends, "Hz", 5) : Part("not in the range")},
                 {value_part(member.frequency - ends, "Hz")},
@@ -154,7 +154,7 @@ Phrase wave_phrase(const std::optional<ResponsePoint>& wave) {
 }
 
 Section jumps(const FrequencyResult& answer) {
-  Section section{{"Jumps"}, {"Where slow sweeps leave a wave, and where they go on."}};
+  Section section{{"Jumps"}, {"Frequencies at which a slow sweep jumps from one wave to another."}};
   Table table{"jumps", {{"motor"}, {"sweep"}, {"frequency"}, {"from"}, {"to"}}, {}};
   for (const ResponseMember& member : answer.members)
     for (const FrequencyResult::Jumped& one : member.jumps)

@@ -36,7 +36,7 @@ Phrase statistic_phrase(const RobustStatistic& one) {
           value(one.value.low),
           " to ",
           value(one.value.high),
-          " by motors that the search has not seen)."};
+          ", from motors drawn after the search)."};
 }
 
 Phrase price_phrase(const RobustReport& report, const Goal& goal) {
@@ -55,12 +55,12 @@ std::vector<Phrase> lost_phrase(const RobustReport& report) {
   std::uint64_t lost = 0;
   for (const auto& [reason, count] : report.lost) lost += count;
   if (lost == 0) return {};
-  return {{counted(lost, "motor") + " of the sample without an answer, counted as failing."}};
+  return {{counted(lost, "motor") + " of the sample could not be computed; counted as failing."}};
 }
 
 // The other yields and statistics, and what the tolerances cost against the optimum without them.
 Section against_nominal(const RobustReport& report, const Goal& goal) {
-  Section section{{"Against the optimum without tolerances"}};
+  Section section{{"Comparison with the optimum without tolerances"}};
   const std::size_t told = reached(report) ? 1 : 0;  // in the headline
   for (std::size_t i = told; i < report.yields.size(); ++i)
     section.sentences.push_back(yield_phrase(report.yields[i]));
@@ -86,7 +86,7 @@ std::vector<Guide> limit_guides(const RobustDensity& density, double first, doub
 Section density(const RobustReport& report, std::size_t i) {
   const RobustDensity& density = report.densities[i];
   const std::string other =
-      std::isfinite(report.nominal_objective) ? "optimum without tolerances" : "motor as it was";
+      std::isfinite(report.nominal_objective) ? "optimum without tolerances" : "original motor";
   const std::string where = "robust/densities/" + std::to_string(i) + "/";
   Numbers edges{"", {}}, keep{"", {}}, fail{"", {}};
   for (std::size_t k = 0; k <= density.motors.size(); ++k)
@@ -103,21 +103,23 @@ Section density(const RobustReport& report, std::size_t i) {
       {{name_part(density.metric)}, density.unit, false, edges.values.front(), edges.values.back()},
       {{"motors per bin"}, "%", true},
       {{"keeps the limit", Stroke::bars, edges, keep},
-       {"breaks it", Stroke::bars, edges, fail, "c1"},
+       {"violates the limit", Stroke::bars, edges, fail, "c1"},
        {other, Stroke::outline, edges, {where + "nominal", density.nominal}, "ink"}},
       limit_guides(density, edges.values.front(), edges.values.back()),
       {},
       density.lower,
       density.upper};
-  Section section{{name_part(density.metric)},
-                  {"Share of the motors of the robust design; the outline is the " + other + "."}};
+  Section section{
+      {name_part(density.metric)},
+      {"Distribution over the motors of the robust design; the outline shows the " + other + "."}};
   section.charts = {chart};
   section.wide = false;
   return section;
 }
 
 Table risk_table(const RobustReport& report) {
-  Table table{"risk", {{"limit"}, {"motors that violate it"}, {"of the failures"}, {"index"}}, {}};
+  Table table{
+      "risk", {{"limit"}, {"motors that violate it"}, {"share of the failures"}, {"index"}}, {}};
   for (const NamedValue& one : report.limits.front().importance)
     table.heads.push_back({name_part(one.name)});
   for (const RobustLimit& limit : report.limits) {
@@ -133,21 +135,21 @@ Table risk_table(const RobustReport& report) {
 
 // Which limits fail, and through which tolerance.
 Section risk(const RobustReport& report) {
-  Section section{{"Where the risk goes"},
-                  {"Share of the failing motors that violate each limit, and the part of it that "
-                   "each tolerance causes. The index is the number of standard deviations between "
-                   "the design and the limit."}};
+  Section section{{"Causes of failures"},
+                  {"Share of the failing motors that violate each limit, and the part of it "
+                   "that each tolerance causes. The index is the number of standard deviations "
+                   "between the design and the limit."}};
   section.bars.name = "risk";
-  section.bars.title = {"which limits the failing motors break"};
-  section.bars.axis = {"of the failing motors"};
+  section.bars.title = {"limits that the failing motors violate"};
+  section.bars.axis = {"share of the failing motors"};
   section.bars.unit = "%";
   section.bars.of = 2;
   section.bars.full = 1;
   for (const RobustLimit& limit : report.limits)
     if (!limit.converged)
-      section.sentences.push_back({"The worst point of ", limit_part(limit.text),
-                                   " was not found exactly, so it is not known what causes its "
-                                   "failures."});
+      section.sentences.push_back(
+          {"The worst point of ", limit_part(limit.text),
+           " was not found exactly, so the causes of its failures are unknown."});
   section.tables = {risk_table(report)};
   return section;
 }
@@ -178,7 +180,7 @@ std::vector<Phrase> advice(const std::vector<RobustTolerance>& list) {
   const RobustTolerance& most = list.front();
   if (!(std::fabs(most.gain) > 0)) return {};
   Phrase phrase{"Tighten the tolerance of the ", name_part(most.name), " (", spread_part(most),
-                ") first; solve again with a tighter one to see what it is worth."};
+                ") first. Solve again with a tighter tolerance to see the gain."};
   std::vector<Part> cheap;
   for (const RobustTolerance& one : list)
     if (std::fabs(one.gain) < kCheapTolerance * std::fabs(most.gain))
@@ -187,13 +189,13 @@ std::vector<Phrase> advice(const std::vector<RobustTolerance>& list) {
   append(phrase, {cheap.size() == 1 ? " That of " : " Those of "});
   append(phrase, listed(cheap));
   append(phrase, {cheap.size() == 1 ? " costs" : " each cost", " less than ",
-                  share_part(kCheapTolerance), " of it: try twice the spread and solve again."});
+                  share_part(kCheapTolerance), " of it: try twice the spread, and solve again."});
   return {phrase};
 }
 
 // What each tolerance costs.
 Section costs(const RobustReport& report, const Goal& goal) {
-  Section section{{"What the tolerances cost"},
+  Section section{{"Cost of the tolerances"},
                   {"Gain in ", name_part(goal.metric),
                    " if a tolerance is 1 % tighter (3 % becomes 2.97 %), to first order. For a "
                    "large change solve again."}};
@@ -201,8 +203,8 @@ Section costs(const RobustReport& report, const Goal& goal) {
     append(section.note, {" ", share_part(kYieldStep), " more yield costs ",
                           goal_part(goal, kYieldStep * report.price_of_yield, 3), "."});
   section.bars.name = "tolerances";
-  section.bars.title = {"what each tolerance costs"};
-  section.bars.axis = {name_part(goal.metric), " gained if it is 1 % tighter"};
+  section.bars.title = {"cost of each tolerance"};
+  section.bars.axis = {name_part(goal.metric), " gained per 1 % tighter tolerance"};
   section.bars.unit = goal_axis(goal).unit;
   section.bars.of = 2;
   const std::vector<RobustTolerance> list = by_gain(report);
@@ -210,9 +212,9 @@ Section costs(const RobustReport& report, const Goal& goal) {
   Table table{"tolerances",
               {{"tolerance"},
                {"spread"},
-               {"1 % tighter gains"},
-               {"yield gains, same design"},
-               {"by the failing motors"}},
+               {"gain if 1 % tighter"},
+               {"gain in yield, same design"},
+               {"estimated from failing motors"}},
               {}};
   for (const RobustTolerance& one : list)
     table.rows.push_back({{name_part(one.name)},
@@ -232,7 +234,7 @@ Chart price_chart(const RobustReport& report, const Goal& goal) {
     goals.values.push_back(one.objective);
   }
   Chart chart{
-      "yield", {"what the yield costs"}, {{"yield"}, "%", false, kLeastYield, 1}, goal_axis(goal)};
+      "yield", {"cost of the yield"}, {{"yield"}, "%", false, kLeastYield, 1}, goal_axis(goal)};
   chart.series = {{"", Stroke::line, yields, goals}, {"", Stroke::dots, yields, goals}};
   if (reached(report) && !report.yields.empty() && std::isfinite(report.objective))
     chart.marks = {{report.yields.front().target, report.objective, {"this design"}}};
@@ -241,10 +243,10 @@ Chart price_chart(const RobustReport& report, const Goal& goal) {
 
 // The goal over the yield; it ends at the largest yield.
 Section price_of_yield(const RobustReport& report, const Goal& goal) {
-  Section section{{"What the yield costs"},
-                  {"The best ", name_part(goal.metric),
-                   " over the share of motors that keep all limits, with everything else chosen "
-                   "anew."}};
+  Section section{
+      {"Cost of the yield"},
+      {"The best ", name_part(goal.metric),
+       " for each share of motors that keep all limits, with all variables optimized again."}};
   const double last = report.prices_of_yields.back().yield;
   if (last < kMostYield)
     append(section.note,
@@ -258,9 +260,9 @@ Section price_of_yield(const RobustReport& report, const Goal& goal) {
 }
 
 const char* verdict_words(const std::string& verdict) {
-  if (verdict == "holds") return " This reaches the wanted share, ";
-  if (verdict == "broken") return " This is below the wanted share, ";
-  return " The sample cannot distinguish this from the wanted share, ";
+  if (verdict == "holds") return " This reaches the required share, ";
+  if (verdict == "broken") return " This is below the required share, ";
+  return " The sample is too small to distinguish this from the required share, ";
 }
 
 }  // namespace
@@ -271,10 +273,9 @@ Phrase yield_phrase(const RobustYield& yield) {
                 yield.text == "yield" ? Part("all limits") : limit_part(yield.text)};
   if (share < 1 && 1 - share < kFewFail)
     phrase.push_back(", " + about(1e6 * (1 - share)) + " in a million fail");
-  append(phrase,
-         {" (", share_part(yield.share.low), " to ", share_part(yield.share.high),
-          " by " + std::to_string(yield.samples) + " motors that the search has not seen" +
-              (yield.weighted ? ", drawn about the worst points and weighted" : "") + ")."});
+  append(phrase, {" (", share_part(yield.share.low), " to ", share_part(yield.share.high),
+                  ", from " + std::to_string(yield.samples) + " motors drawn after the search" +
+                      (yield.weighted ? " near the worst points, and weighted" : "") + ")."});
   if (std::isfinite(yield.target))
     append(phrase, {verdict_words(yield.verdict), share_part(yield.target), "."});
   return phrase;
@@ -282,9 +283,9 @@ Phrase yield_phrase(const RobustYield& yield) {
 
 Phrase robust_sentence(const RobustReport& report) {
   if (!reached(report))
-    return {strong("The wanted yield cannot be reached"), "; the largest found is ",
+    return {strong("The required yield cannot be reached"), "; the largest found is ",
             share_part(report.largest_yield),
-            ". The design shown has it; tighten a tolerance or loosen a limit."};
+            ". The design shown has this yield. Tighten a tolerance or loosen a limit."};
   return report.yields.empty() ? statistic_phrase(report.statistics.front())
                                : yield_phrase(report.yields.front());
 }

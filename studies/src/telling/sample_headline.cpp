@@ -56,7 +56,7 @@ Headline motor_headline(const CurveResult::Member& member) {
     return bad_headline({phrase});
   }
   if (!(peak > 0))
-    return bad_headline({{strong("This motor drives no load: "), "its torque at stall is ",
+    return bad_headline({{strong("This motor cannot drive a load: "), "its torque at stall is ",
                           metric_part(member, "stall_torque"), "."}});
   return plain_headline({{"This motor holds ", strong(metric_part(member, "stall_torque")),
                           " at stall and runs up to ", strong(metric_part(member, "no_load_speed")),
@@ -116,7 +116,7 @@ Headline family_headline(const CurveResult& answer) {
               most_phrase(answer, "no_load_speed")},
              "; ");
   if (tops.empty()) return plain_headline({first});
-  Phrase second{"The most: "};
+  Phrase second{"Largest values: "};
   append(second, tops);
   second.push_back(".");
   return plain_headline({first, second});
@@ -173,14 +173,14 @@ Ranked ranked(const SensitivityResult& answer, const MetricSensitivity& metric) 
 
 Phrase first_effects(const Ranked& one) {
   Phrase phrase{name_part(one.metric->metric.name), ": ", strong(one.names.front()),
-                " matters most ("};
+                " has the largest influence ("};
   append(phrase, one.effect);
   phrase.push_back(")");
   if (one.names.size() > 1) {
     append(phrase, {", then "});
     append(phrase, listed({one.names.begin() + 1, one.names.end()}));
   } else if (one.others) {
-    append(phrase, {"; the others hardly"});
+    append(phrase, {"; the others have little"});
   }
   phrase.push_back(".");
   return phrase;
@@ -190,7 +190,7 @@ Phrase further_effects(const std::vector<Ranked>& list) {
   Phrase phrase;
   for (std::size_t k = 1; k < list.size(); ++k) {
     append(phrase,
-           {k > 1 ? "; " : "What matters most for the ", name_part(list[k].metric->metric.name),
+           {k > 1 ? "; " : "The largest influence on the ", name_part(list[k].metric->metric.name),
             ": ", strong(list[k].names.front()), " ("});
     append(phrase, list[k].effect);
     phrase.push_back(")");
@@ -241,7 +241,7 @@ Headline headline_of(const SweepResult& answer, const StudyResult& /*result*/) {
   if (metric->min == metric->max)
     return plain_headline(
         {first, {"The ", name, " is the same in all: ", value(metric->max), "."}});
-  Phrase second{"The ",  name, " runs from ", value(metric->min), " to ", value(metric->max),
+  Phrase second{"The ",  name, " ranges from ", value(metric->min), " to ", value(metric->max),
                 " with "};
   append(second, design_phrase(answer, metric->highest));
   second.push_back(".");
@@ -252,7 +252,7 @@ Headline headline_of(const SensitivityResult& answer, const StudyResult& /*resul
   std::vector<Ranked> list;
   for (const MetricSensitivity& metric : answer.metrics)
     if (Ranked one = ranked(answer, metric); !one.names.empty()) list.push_back(std::move(one));
-  if (list.empty()) return bad_headline({{strong("No effects could be computed.")}});
+  if (list.empty()) return bad_headline({{strong("No effect could be computed.")}});
   const Phrase further = further_effects(list);
   return further.empty() ? plain_headline({first_effects(list[0])})
                          : plain_headline({first_effects(list[0]), further});
@@ -270,12 +270,12 @@ Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*resul
                      " with ",
                      share_part(answer.confidence, 3),
                      " confidence)."};
-  const bool few = answer.broken.value > 0 && answer.broken.value < kFewBreak;
+  const bool few = answer.broken.value > 0 && answer.broken.value < kFewViolate;
   const Phrase first = answer.weighted || few ? failing_phrase(answer) : yield;
   const auto worst = std::ranges::min_element(
       answer.limits, {}, [](const UncertaintyResult::Limit& limit) { return limit.kept.value; });
-  const Phrase cost{"The limit that costs most is ", strong(limit_part(worst->text)), ": ",
-                    share_part(worst->kept.value), " keep it."};
+  const Phrase cost{"The limit that costs the most yield is ", strong(limit_part(worst->text)),
+                    ": ", share_part(worst->kept.value), " keep it."};
   Headline told{kept.low >= kGoodYield ? Look::good : Look::bad, "", {first}, {}};
   if (worst->kept.value < 1)
     told.sentences.push_back(cost);
@@ -286,7 +286,7 @@ Headline headline_of(const UncertaintyResult& answer, const StudyResult& /*resul
 
 Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*/) {
   if (answer.members.empty() || !answer.members.front().running)
-    return bad_headline({{strong("The wave does not run"), " at the frequency of the drive."}});
+    return bad_headline({{strong("There is no running wave"), " at the frequency of the drive."}});
   const FrequencyResult::Member& member = answer.members.front();
   const Phrase first{"At its drive frequency of ",
                      value_part(member.frequency, "Hz", 5),
@@ -297,7 +297,7 @@ Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*
                      strong(value_part(member.running->point.amplitude, "m")),
                      "."};
   if (!member.pull_out_below)
-    return plain_headline({first, {"Its wave does not pull out in the range."}});
+    return plain_headline({first, {"The wave does not pull out in the range."}});
   return plain_headline(
       {first,
        {"The wave pulls out below ", value_part(*member.pull_out_below, "Hz", 5), ", a margin of ",

@@ -54,17 +54,17 @@ Phrase values_phrase(const std::vector<NamedValue>& values) {
 Phrase missing_phrase(const UncertaintyResult::Metric& metric, std::uint64_t missing) {
   if (metric.count == 0) return {name_part(metric.column.name), ": no motor has a value."};
   return {name_part(metric.column.name), ": " + counted(missing, "motor"),
-          missing == 1 ? " has no value; the numbers are those of the others."
-                       : " have no value; the numbers are those of the others."};
+          missing == 1 ? " has no value; the statistics are those of the others."
+                       : " have no value; the statistics are those of the others."};
 }
 
 std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
   const std::string drawn = answer.weighted
-                                ? " drawn about " + counted(answer.ways, "point") +
+                                ? " drawn near " + counted(answer.ways, "point") +
                                       " where motors are most likely to fail, and weighted; " +
                                       std::to_string(answer.sought) +
-                                      " others, or up to four times as many, "
-                                      "were drawn before to find these points; intervals of "
+                                      " others, or up to four times as many, were drawn first to "
+                                      "find these points; intervals of "
                                 : " drawn; intervals of ";
   std::vector<Phrase> list{
       {counted(answer.samples, "motor") + drawn, share_part(answer.confidence, 3), "."}};
@@ -80,9 +80,9 @@ std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
     list.push_back({"Each motor is one of the " + counted(answer.part_count, "measured part") +
                     " in " + quoted(answer.parts) + "."});
   for (const UncertaintyResult::Inadmissible& one : answer.inadmissible)
-    list.push_back(
-        {share_part(one.share), " of the distribution of ", name_part(one.variable),
-         " lies where no motor can be; such motors have no value and break every limit."});
+    list.push_back({share_part(one.share), " of the distribution of ", name_part(one.variable),
+                    " lies outside the permitted range of the parameter; such motors have no value "
+                    "and violate every limit."});
   return list;
 }
 
@@ -197,7 +197,7 @@ Phrase kept_phrase(const UncertaintyResult& answer, std::size_t i, const Keepers
     if (then == answer.yield->value)
       append(phrase, {"; loosening it by 1 % changes nothing"});
     else
-      append(phrase, {"; 1 % looser, at ", value_part(end_of(looser(limit)), keepers.unit(i)),
+      append(phrase, {"; loosened by 1 %, to ", value_part(end_of(looser(limit)), keepers.unit(i)),
                       ", the yield is ", strong(share_part(then))});
   }
   append(phrase, {"."});
@@ -206,8 +206,8 @@ Phrase kept_phrase(const UncertaintyResult& answer, std::size_t i, const Keepers
 
 Section yield_section(const UncertaintyResult& answer, const Sources& sources) {
   Section section{{"Yield"},
-                  {"What each limit costs, and the ends of the ", share_part(answer.confidence, 3),
-                   " intervals."}};
+                  {"Share of the motors that keep each limit, and the ends of the ",
+                   share_part(answer.confidence, 3), " intervals."}};
   const Keepers keepers(sources.rows, answer.limits);
   std::multimap<double, Phrase> by_cost;  // without the motors the table says as much
   for (std::size_t i = 0; keepers.known() && i < answer.limits.size(); ++i)
@@ -216,15 +216,15 @@ Section yield_section(const UncertaintyResult& answer, const Sources& sources) {
   if (answer.no_value > 0)
     section.sentences = {{counted(answer.no_value, "motor"),
                           answer.no_value == 1
-                              ? " has no value for a limit and counts as not keeping it."
-                              : " have no value for a limit and count as not keeping it."}};
+                              ? " has no value for a limit and counts as failing."
+                              : " have no value for a limit and count as failing."}};
   Table table{"yield", {{"limit"}, {"kept by"}, {"at least"}, {"at most"}}, {}};
   const auto add = [&](Part name, const Estimate& e) {
     table.rows.push_back(
         {{std::move(name)}, {share_part(e.value)}, {share_part(e.low)}, {share_part(e.high)}});
   };
   for (const SpreadLimit& limit : answer.limits) add(limit_part(limit.text), limit.kept);
-  add("all of them", *answer.yield);
+  add("all limits", *answer.yield);
   section.tables = {table};
   return section;
 }
@@ -269,7 +269,7 @@ Chart histogram(const UncertaintyResult& answer, const UncertaintyResult::Metric
       {{name_part(name)}, metric.column.unit, false, edges.values.front(), edges.values.back()},
       {{"motors"}, "1", true},
       {{limited ? "keeps the limit" : "motors", Stroke::bars, edges, counts_of(bins.kept)},
-       {limited ? "breaks it" : "", Stroke::bars, edges, counts_of(bins.failed), "c1"}}};
+       {limited ? "violates the limit" : "", Stroke::bars, edges, counts_of(bins.failed), "c1"}}};
   add_limits(chart, window);
   for (const UncertaintyResult::Quantile& one : metric.quantiles)
     chart.guides.push_back({one.value.value, {share_part(one.probability)}, Guide::Kind::quantile});
@@ -308,7 +308,7 @@ std::vector<Section> sections_of(const SweepResult& answer, const Sources& /*sou
                          counted(answer.designs, "design") + " are computed."}};
   spread.tables = {sweep_table(answer)};
   spread.wide = false;
-  Section ends{{"The most and the least"}, {"The designs with them."}};
+  Section ends{{"Extremes"}, {"The designs with the lowest and the highest value of each metric."}};
   ends.tables = {ends_table(answer)};
   return {hooked("designs"), spread, ends, hooked("list")};
 }

@@ -65,7 +65,7 @@ class ScatterMatrix {
   std::vector<Section> sections() const {
     const std::size_t count = quantities_.size();
     if (count < 2) return {};
-    Section section{{"What goes with what"},
+    Section section{{"Scatter matrix"},
                     {"Each dot is a motor" +
                      std::string(answer_.samples > kMostMotors
                                      ? ", one of the first " + std::to_string(kMostMotors)
@@ -100,7 +100,7 @@ class ScatterMatrix {
     const ScatterQuantity& up = quantities_[y];
     const bool keyed = x == 0 && y == 1 && !broken_.empty();  // once for all
     Series keep{keyed ? "keeps the limits" : "", Stroke::dots},
-        fail{keyed ? "breaks a limit" : "", Stroke::dots, {}, {}, "c1"};
+        fail{keyed ? "violates a limit" : "", Stroke::dots, {}, {}, "c1"};
     for (std::size_t i = 0; i < across.values.size(); ++i) {
       if (!std::isfinite(across.values[i]) || !std::isfinite(up.values[i])) continue;
       Series& one = i < broken_.size() && broken_[i] ? fail : keep;

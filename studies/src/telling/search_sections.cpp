@@ -16,24 +16,24 @@ namespace twum::studies::telling {
 namespace {
 
 Section curves(const OptimizeResult& answer) {
-  Section section{{answer.found ? "Torque: before and after" : "Torque of the motor as it was"}};
+  Section section{{answer.found ? "Torque: before and after" : "Torque of the original motor"}};
   section.hook = "torque";
   return section;
 }
 
 // Where no design keeps all limits, there is no optimum, and so no price of a limit.
 Section limits_least_broken(const Json& standings) {
-  Section section{{"The limits at the design that breaks them least"}};
+  Section section{{"Limits at the design that violates them least"}};
   section.tables = {limits_table(standings, {})};
   return section;
 }
 
 Section limits(const OptimizeResult& answer, const Json& standings, const Sources& sources) {
-  Section section{{"What stops it"},
-                  {"A limit that binds holds the design back; loosened by 1 % it changes the ",
+  Section section{{"Limits"},
+                  {"An active limit restricts the design. The table gives the change of the ",
                    name_part(answer.goal.metric),
-                   " as said, to first order, with everything else chosen anew. The others have "
-                   "room."}};
+                   " if it is loosened by 1 %, to first order, with all variables optimized again. "
+                   "The other limits have a margin."}};
   section.remarks =
       holder_phrases(standings, {answer.goal}, answer.best, answer.whole_ends, sources);
   section.tables = {limits_table(standings, {answer.goal})};
@@ -45,9 +45,9 @@ std::string design_title(const OptimizeResult& answer) {
 }
 
 Section design(const OptimizeResult& answer, const Sources& sources) {
-  Section section{{"The design"},
-                  {answer.explanation.empty() ? "What the search was free to change."
-                                              : "The design that breaks the limits least."}};
+  Section section{{"Design"},
+                  {answer.explanation.empty() ? "The variables of the search."
+                                              : "The design that violates the limits least."}};
   section.wide = false;
   section.hook = "motor file";
   section.tables = {
@@ -99,7 +99,7 @@ bool is_global(const Stage* run) {
 // How many runs came to the best value.
 std::string runs_words(const OptimizeResult& answer, const Runs& runs, bool holding) {
   const std::string alike = answer.stages.size() > 1 ? " with the slices of the answer" : "";
-  if (runs.comparable.size() == 1) return "the one run of a solver" + alike + " ended there";
+  if (runs.comparable.size() == 1) return "the single solver run" + alike + " ended there";
   constexpr double kSame = 1e-6;
   const double best = goal_of(answer.best, answer.goal);
   const auto same = std::ranges::count_if(runs.comparable, [&](const Stage* run) {
@@ -110,8 +110,8 @@ std::string runs_words(const OptimizeResult& answer, const Runs& runs, bool hold
                                : answer.best.choice.empty() ? " and whole numbers"
                                                             : " and choices";
   return std::to_string(same) + " of " + std::to_string(runs.comparable.size()) +
-         " runs of solvers from different starts" + choosing +
-         " ended at this value, none within the limits at a better one" +
+         " solver runs from different starts" + choosing +
+         " ended at this value, and none found a better one within the limits" +
          (wide == 0   ? ""
           : wide == 1 ? ", one of them a global search"
                       : ", " + std::to_string(wide) + " of them a global search");
@@ -126,15 +126,15 @@ std::vector<Phrase> starts_phrase(const OptimizeResult& answer) {
   if (runs.before > 0)
     append(phrase, {"; " + counted(runs.before, "run") + " with ", name_part("radial_slices"), " ",
                     named_part("radial_slices", runs.slices_before, "1"),
-                    " came before it to find its start; their values have another error, so "
-                    "do not compare them with this one"});
-  append(phrase, {". A better design far from all of them cannot be ruled out."});
+                    " were made first to find its start; their values have a different "
+                    "discretization error, so do not compare them with this one"});
+  append(phrase, {". A better design far from all of them is still possible."});
   if (held.empty()) return {phrase};
   append(phrase, {" Each run keeps "});
   append(phrase, listed(held));
   append(phrase,
-         {held.size() > 1 ? " as they are; what the limits above are worth is for the values found."
-                          : " as it is; what the limits above are worth is for the value found."});
+         {held.size() > 1 ? " unchanged; the effect of the limits above is for the values found."
+                          : " unchanged; the effect of the limits above is for the value found."});
   return {phrase};
 }
 
@@ -150,14 +150,15 @@ std::vector<Phrase> scan_phrase(const OptimizeResult& answer) {
   const std::string some = std::to_string(scan.better) + " of " + sample;
   if (scan.replaced)
     return {{some + " were better than the ", goal_part_of(answer.goal, scan.before),
-             " that the searches had ended at; a search from the best of them found this design."}};
+             " of the searches; a search from the best of them found this design."}};
   return {{some + " are better, but the search from the best of them found no answer; raise "
                   "max_evaluations, or start from that row of results.csv."}};
 }
 
 Phrase finding_phrase(const optim::Finding& finding) {
   const std::vector<Part> names = name_parts(finding.names);
-  Phrase phrase{finding.kind == optim::Degeneracy::flat_direction ? "A valley: " : finding.text};
+  Phrase phrase{finding.kind == optim::Degeneracy::flat_direction ? "Flat direction: "
+                                                                  : finding.text};
   if (finding.kind == optim::Degeneracy::flat_direction) {
     append(phrase, listed(names));
     append(phrase, {std::string(names.size() > 1 ? " can change together" : " can change") +
@@ -174,7 +175,7 @@ Phrase finding_phrase(const optim::Finding& finding) {
 
 // How sure it is that there is nothing better.
 Section trust(const OptimizeResult& answer) {
-  Section section{{"How sure it is"}};
+  Section section{{"Verification"}};
   std::vector<Phrase>& list = section.sentences;
   const auto add = [&](std::vector<Phrase> more) {
     std::ranges::move(more, std::back_inserter(list));
@@ -183,7 +184,7 @@ Section trust(const OptimizeResult& answer) {
   if (answer.best.certificate.passed && !answer.robust) add(starts_phrase(answer));
   add(scan_phrase(answer));
   if (!answer.without_influence.empty()) {
-    list.push_back({"Without influence at this design: "});
+    list.push_back({"No influence at this design: "});
     append(list.back(), listed(name_parts(answer.without_influence)));
     append(list.back(), {"."});
   }
@@ -256,21 +257,21 @@ std::vector<Section> search(const OptimizeResult& answer, const Json& standings,
   if (values.size() < 2 || std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
     return {};
   Chart chart{"search",
-              {"how the search went"},
+              {"course of the search"},
               {{"evaluation"}, "1", false, 1, static_cast<double>(values.size())},
               goal_axis(answer.goal)};
   const History history = history_of(values, rows_that_keep(rows, standings), answer.goal, chart.y);
   // Limits hold without tolerances here, so the best of these motors is not the best under tolerances.
   const std::string kept =
       answer.robust ? "keeps every limit without tolerances" : "keeps every limit";
-  chart.series = {{"breaks a limit", Stroke::dots, history.outside_x, history.outside_y, "faint"},
+  chart.series = {{"violates a limit", Stroke::dots, history.outside_x, history.outside_y, "faint"},
                   {kept, Stroke::dots, history.inside_x, history.inside_y, "c2"}};
   if (!answer.robust)
     chart.series.push_back({"best so far", Stroke::steps, history.best_x, history.best_y});
-  Section section{{"How the search went"}, {"The motors that were computed, in order."}};
+  Section section{{"Course of the search"}, {"All computed motors, in order."}};
   if (const std::string count = std::to_string(history.beyond); history.beyond > 0) {
-    append(section.note, {" " + count + " of them lie beyond the axis and stand at its edge."});
-    append(chart.title, {"; " + count + " beyond the axis stand at its edge"});
+    append(section.note, {" " + count + " of them lie beyond the axis and are drawn at its edge."});
+    append(chart.title, {"; " + count + " beyond the axis are drawn at its edge"});
   }
   section.charts = {chart};
   return {section};
@@ -278,9 +279,8 @@ std::vector<Section> search(const OptimizeResult& answer, const Json& standings,
 
 std::vector<Section> runs(const OptimizeResult& answer) {
   if (answer.stages.empty()) return {};
-  Section section{
-      {"The runs of the solvers"},
-      {"Each run of a solver by its stage in results.csv, and the code that it returned."}};
+  Section section{{"Solver runs"},
+                  {"Each solver run, with its stage in results.csv and its return code."}};
   const bool sliced = !answer.slices_of_stages.empty();
   Table table{"starts",
               {{"stage"},

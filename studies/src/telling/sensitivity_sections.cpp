@@ -59,7 +59,7 @@ class MetricSection {
     if (!none)
       std::visit([&](const auto& effects) { add(effects); }, metric_.effects);
     else if (metric_.note.empty())
-      section_.sentences.push_back({"No effects could be computed."});
+      section_.sentences.push_back({"No effect could be computed."});
     return std::move(section_);
   }
 
@@ -70,7 +70,7 @@ class MetricSection {
     if (metric_.dropped > 0 && metric_.note.empty())
       append(phrase, {"; " + std::to_string(metric_.dropped) + " of " +
                       std::to_string(metric_.samples + metric_.dropped) +
-                      " samples dropped for a failure"});
+                      " samples left out because they failed"});
     append(phrase, {"."});
     return phrase;
   }
@@ -84,7 +84,7 @@ class MetricSection {
     std::vector<Part> names;
     for (const std::size_t j : list) names.push_back(name(j));
     Phrase phrase = listed(names);
-    append(phrase, {list.size() == 1 ? " does not matter." : " do not matter."});
+    append(phrase, {list.size() == 1 ? " has no influence." : " have no influence."});
     say(std::move(phrase));
   }
 
@@ -100,8 +100,8 @@ class MetricSection {
     MetricSensitivity::Sobol shares;
     for (const SobolShares& one : estimates) shares.push_back(told_shares(one));
     section_.note = {
-        "Share of the variance: alone (dark), with all interactions (light), interval of the "
-        "latter. Where no interactions are seen beyond their interval, both are one number."};
+        "Share of the variance: alone (dark), with all interactions (light), and the interval of "
+        "the latter. If the interactions do not exceed their interval, both are the same number."};
     Table table{"indices-" + metric_.metric.name,
                 {{"variable"}, {"total"}, {"low"}, {"high"}, {"first order"}, {"low"}, {"high"}},
                 {}};
@@ -129,7 +129,7 @@ class MetricSection {
     section_.tables = {table};
     const SobolShares& most = shares[order.front()];
     if (!std::isfinite(most.total.value)) return;
-    Phrase phrase{name(order.front()), " matters most: alone it explains ",
+    Phrase phrase{name(order.front()), " has the largest influence: alone it explains ",
                   share_part(std::max(0.0, most.first.value), 3), " of the variance"};
     if (most.interactions.low > 0)
       append(phrase, {", with its interactions ", share_part(most.total.value, 3)});
@@ -142,7 +142,7 @@ class MetricSection {
 
   void add(const MetricSensitivity::Morris& effects) {
     section_.note = {
-        "Mean size of the change across each range (µ*), with its interval. A large σ means "
+        "Mean absolute change across each range (µ*), with its interval. A large σ indicates "
         "curvature or interaction."};
     Table table{"indices-" + metric_.metric.name,
                 {{"variable"}, {"µ*"}, {"low"}, {"high"}, {"σ"}, {"low"}, {"high"}, {"µ"}},
@@ -165,8 +165,8 @@ class MetricSection {
       if (e.mu_star.high <= kNegligible * most.mu_star.value) negligible.push_back(j);
     }
     section_.tables = {table};
-    if (most.mu_star.value == 0) return say({"No variable changes it."});
-    say({name(order.front()), " matters most: across its range it changes ",
+    if (most.mu_star.value == 0) return say({"No variable has an influence."});
+    say({name(order.front()), " has the largest influence: across its range it changes ",
          name_part(metric_.metric.name), " by ", value_part(most.mu_star.value, unit_, 3),
          " on average."});
     say_negligible(negligible);
@@ -175,9 +175,8 @@ class MetricSection {
   // The scatter of the metric by each tolerance alone, to first order.
   void add_spreads(const MetricSensitivity::Local& effects) {
     section_.note = {
-        "Standard deviation of the metric by each tolerance alone, to first order, and its share "
-        "of "
-        "the variance."};
+        "Standard deviation of the metric from each tolerance alone, to first order, and its share "
+        "of the variance."};
     Table table{
         "indices-" + metric_.metric.name,
         {{"tolerance"}, {"of the variance"}, {"standard deviation"}, {"about"}, {"gradient"}},
@@ -195,7 +194,7 @@ class MetricSection {
     section_.tables = {table};
     const double most = effects[order.front()].spread;
     if (most > 0)
-      say({"The tolerance of ", name(order.front()), " matters most: it explains ",
+      say({"The tolerance of ", name(order.front()), " has the largest influence: it explains ",
            share_part(most * most / variance, 3), " of the variance. The standard deviation is ",
            value_part(metric_.sd, unit_), " to first order."});
     say_smoothness();
@@ -224,7 +223,7 @@ class MetricSection {
     }
     section_.tables = {table};
     if (most > 0)
-      say({name(order.front()), " matters most: 1 % more of it changes ",
+      say({name(order.front()), " has the largest influence: 1 % more of it changes ",
            name_part(metric_.metric.name), " by ",
            share_part(0.01 * effects[order.front()].elasticity, 3), "."});
     say_smoothness();
@@ -239,10 +238,11 @@ class MetricSection {
     switch (metric_.smoothness) {
       case Smoothness::smooth: return;
       case Smoothness::flat:
-        return say({"It sits on a plateau here: a gradient of zero holds nearby only."});
+        return say(
+            {"The metric is constant near this point: a gradient of zero holds only nearby."});
       case Smoothness::one_sided:
-        return say({"It has a kink or jump here: gradients are those of one side."});
-      case Smoothness::undefined: return say({"It has no derivative here."});
+        return say({"The metric has a kink or a jump here: the gradients are those of one side."});
+      case Smoothness::undefined: return say({"The metric has no derivative here."});
     }
   }
 
@@ -256,12 +256,12 @@ Section method_section(const SensitivityResult& answer) {
   Section section{{"How the effects were computed"}};
   const Phrase level{"; intervals of ", share_part(answer.confidence, 3), "."};
   if (answer.method == SensitivityMethod::local) {
-    section.sentences = {{"Derivatives at the motor."}};
+    section.sentences = {{"Derivatives at the given motor."}};
     for (const StoredColumn& variable : answer.variables)
       if (const auto p = find_parameter(variable.name); p && info(*p).integer)
         section.sentences.push_back({name_part(variable.name),
-                                     " takes whole numbers only; its derivative "
-                                     "is that between them."});
+                                     " takes whole numbers only; its derivative is that of the "
+                                     "continuous model between them."});
     return section;
   }
   const std::string count = std::to_string(answer.samples);
@@ -269,13 +269,13 @@ Section method_section(const SensitivityResult& answer) {
       {answer.method == SensitivityMethod::morris
            ? "Elementary effects across the ranges (Morris), " + count + " trajectories"
            : std::string("Shares of the variance ") +
-                 (answer.tolerances ? "by the tolerances, which are independent " : "") +
+                 (answer.tolerances ? "from the tolerances, which are independent " : "") +
                  "(Sobol), " + count + " base samples"}};
   append(section.sentences.front(), level);
   if (!answer.narrow)
     section.sentences.push_back({"Some intervals are still wider than the ",
                                  value_part(answer.width, "1", 3),
-                                 " asked for: raise max_samples."});
+                                 " requested: raise max_samples."});
   return section;
 }
 

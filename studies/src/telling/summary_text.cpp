@@ -87,7 +87,7 @@ std::string summary_markdown(const StudyResult& result, const Sources& sources) 
   const auto line = [](const std::string& words) { return markdown(Phrase{words}); };
   std::string text = "# " + line(result.study) + "\n\n" + line(told.title) + "\n\n" +
                      markdown(told) + markdown(sections(result, sources));
-  if (!result.model_notes.empty()) text += "\n## Mind the model\n\n";
+  if (!result.model_notes.empty()) text += "\n## Validity\n\n";
   for (const std::string& note : result.model_notes) text += "- " + line(note) + "\n";
   return text;
 }

@@ -147,7 +147,7 @@ TEST_CASE("a variable without influence leaves nothing to share out", "[studies]
       "{kind: sensitivity, method: sobol, metrics: [contact_ratio, stall_torque], variables: "
       "{kinetic_friction: {min: 0.1, max: 0.3}}}");
   CHECK(sensitivity(result).metrics[0].note ==
-        "the same over the whole ranges: no variable matters");
+        "the same over the whole ranges: no variable has an influence");
   CHECK(std::holds_alternative<MetricSensitivity::Sobol>(sensitivity(result).metrics[1].effects));
 }
 

@@ -245,7 +245,8 @@ TEST_CASE("a front over many whole numbers needs the search that finds such",
   CHECK(pareto(waves, ", solver: {name: nsga2}").empty());
   CHECK(pareto("preload: {min: 1 N, max: 2 N}", "").empty());
   CHECK(pareto("preload: {min: 1 N, max: 2 N}", ", solver: nlopt:slsqp") ==
-        Lines{"study.solver: solver 'nlopt:slsqp' finds no fronts; expected one of auto, nsga2"});
+        Lines{"study.solver: solver 'nlopt:slsqp' does not compute fronts; expected one of auto, "
+              "nsga2"});
   CHECK(complaints("{kind: optimize, maximize: peak_power, variables: {" + waves + "}}").empty());
   CHECK(
       complaints("{kind: calibrate, data: x.csv, variables: {wavelengths: {min: 8, max: 10}}}") ==

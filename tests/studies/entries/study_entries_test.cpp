@@ -5,6 +5,7 @@
 #include "kinds/sample/found_motors.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/core/parameters.hpp>
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/result_store.hpp>
 #include <twum/optim/solvers.hpp>
@@ -49,7 +50,41 @@ std::string value_of(const optim::SolverOption& option) {
   return range.substr(0, range.find_first_of(" |"));
 }
 
+// "min: smallest value" and so on of all entries below a schema, at any depth.
+Lines texts_below(const Schema& schema) {
+  Lines lines;
+  const auto add = [&](const Schema& inner) {
+    const Lines more = texts_below(inner);
+    lines.insert(lines.end(), more.begin(), more.end());
+  };
+  for (const SchemaEntry& entry : schema.entries) {
+    lines.push_back(entry.name + ": " + entry.schema.text);
+    add(entry.schema);
+  }
+  for (const Schema& one : schema.alternatives) add(one);
+  for (const Schema& one : schema.items) add(one);
+  return lines;
+}
+
 }  // namespace
+
+TEST_CASE("entries below a parameter have the same texts for every parameter",
+          "[studies][schema]") {
+  // One row of the reference page, such as tolerances.NAME.from, describes the entry of all parameters.
+  int compared = 0;
+  for (std::size_t kind = 0; kind < study_kinds().size(); ++kind)
+    for (const SchemaEntry& entry : study_schema(static_cast<StudyKind>(kind)).entries) {
+      if (entry.schema.entries.empty() || !entry.schema.entries[0].alias_counts) continue;
+      const Lines first = texts_below(entry.schema.entries[0].schema);
+      for (const SchemaEntry& parameter : entry.schema.entries) {
+        CAPTURE(study_kinds()[kind], entry.name, parameter.name);
+        CHECK(texts_below(parameter.schema) == first);
+        ++compared;
+      }
+    }
+  // Twelve kinds at least have variables, tolerances or a family; each lists every parameter.
+  CHECK(compared >= 12 * static_cast<int>(parameter_table().size()));
+}
 
 TEST_CASE("every option of a solver is one of its own, and none of another's",
           "[studies][study][error]") {

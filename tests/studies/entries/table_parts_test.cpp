@@ -156,7 +156,8 @@ TEST_CASE("what is wrong with measured points is said at its place",
   CHECK(wrong_points("speed,torque,speed\n") ==
         Lines{"1:14: speed: the column is given twice; leave one of them out"});
   CHECK(wrong_points("speed,torque,amplitude,voltage\n") ==
-        Lines{"1:24: voltage: cannot be set beside 'amplitude'; leave out one of the two columns"});
+        Lines{"1:24: voltage: cannot be set together with 'amplitude'; leave out one of the two "
+              "columns"});
   CHECK(wrong_points("speed,torque,weight,torque_sd\n").size() == 1);
   CHECK(wrong_points("speed,torque\n1\n") == Lines{"2:1: : 1 cell; the header has 2"});
   CHECK(wrong_points("speed,torque\n1,2,3\n") == Lines{"2:1: : 3 cells; the header has 2"});

@@ -74,8 +74,8 @@ std::string told(const PlantCheck& check) {
   if (!check.missing.empty())
     return "It is not compared with the exact contact ('twum move'): " + check.missing + ".\n";
   return fmt::format(
-      "Start and stop, 20 ms each, beside the exact contact ('twum move'): the speed differs by at "
-      "most {:.2g} % of its peak, the angle in which the rotor stops by {:.2g} %.\n",
+      "Start and stop, 20 ms each, compared with the exact contact ('twum move'): the speed "
+      "differs by at most {:.2g} % of its peak, the angle in which the rotor stops by {:.2g} %.\n",
       100 * check.speed_error, 100 * check.angle_error);
 }
 
@@ -133,7 +133,7 @@ int run_export(const ExportOptions& options) {
 void add_export(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand(
-      "export", "The motor as a part of other tools' models: an FMU, or tables of its contact");
+      "export", "The motor for models in other tools: an FMU, or tables of its contact");
   add_motor_options(*command, options->motor);
   command
       ->add_option("--as", options->as,

@@ -299,8 +299,7 @@ int run_frequency(const FrequencyOptions& options) {
                                [](const ResponseBranch& branch) { return branch.stable; });
   if (any) return kDone;
   say("twum: no steady wave at any frequency: the load is more than the motor carries, or every "
-      "wave grows; "
-      "try less torque or another speed");
+      "wave is unstable; try less torque or another speed");
   return kNoAnswer;
 }
 

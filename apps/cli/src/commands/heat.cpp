@@ -45,8 +45,7 @@ void add_heat(CLI::App& app, Action& action) {
   add_held_load_options(*command, options->load);
   command
       ->add_option("--time", options->time,
-                   "How long the warm-up is followed (default: five times the slowest time "
-                   "constant)")
+                   "Duration of the warm-up (default: five times the slowest time constant)")
       ->type_name("TIME");
   command->add_option("--points", options->points, "Number of times (default: 101)")
       ->check(CLI::Range(2, 100000))

@@ -29,7 +29,7 @@ constexpr const char* kInitExamples = R"text(Examples:
 
 constexpr const char* kMotorHeading =
     "# A motor for twum. Values carry their unit; any unit of the right dimension is accepted.\n"
-    "# Check it with 'twum check FILE', see what it does with 'twum curve FILE'.\n";
+    "# Check it with 'twum check FILE'; compute its curve with 'twum curve FILE'.\n";
 
 struct InitOptions {
   std::string kind;

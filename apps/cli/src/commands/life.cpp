@@ -37,10 +37,11 @@ studies::LifeStudy asked_by(const LifeOptions& options) {
 void add_life(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LifeOptions>();
   CLI::App* command = app.add_subcommand(
-      "life", "How long the motor lives until its track has worn too far, and what changes");
+      "life",
+      "Life of the motor until its contact track is worn too far, and the changes until then");
   add_study_options(*command, options->study);
   add_held_load_options(*command, options->load);
-  command->add_option("--points", options->points, "Number of depths (default: 51)")
+  command->add_option("--points", options->points, "Number of wear depths (default: 51)")
       ->check(CLI::Range(2, 10000))
       ->type_name("N");
   command->footer(kLifeExamples);

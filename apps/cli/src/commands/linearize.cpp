@@ -261,7 +261,8 @@ std::string schedule_table(const studies::MotorFile& file,
 int write_schedule(const LinearizeOptions& options, const studies::MotorFile& file, double torque,
                    Output& output) {
   if (!options.axial.empty())
-    throw InputError("--axial: a gain schedule takes the rotor's height as balanced; leave it out");
+    throw InputError(
+        "--axial: a gain schedule has the rotor's axial position in balance; leave --axial out");
   const double sample = parse_time("--sample-time", options.sample_time);
   const auto delay = static_cast<int>(parse_count("--delay", options.delay, 0, 100));
   const auto rows = motion::gain_schedule(
@@ -304,7 +305,7 @@ void add_linearize(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LinearizeOptions>();
   options->points = "11", options->sample_time = "1 ms", options->delay = "1";
   CLI::App* command = app.add_subcommand(
-      "linearize", "The motor as a controller sees it near a steady state: matrices, poles, gains");
+      "linearize", "Linear model of the motor near a steady state: matrices, poles, gains");
   add_motor_options(*command, options->motor);
   add_output_options(*command, options->output, {"table", "csv", "json", "matlab"});
   command->add_option("--torque", options->torque, "Load torque (default: none)")
@@ -315,7 +316,8 @@ void add_linearize(CLI::App& app, Action& action) {
       ->type_name("INERTIA");
   command
       ->add_option("--axial", options->axial,
-                   "dynamic: the rotor's height and its rate are two states more (default: static)")
+                   "dynamic: with two more states, the rotor's axial position and its rate "
+                   "(default: static)")
       ->check(one_of(words_of(kAxialMotions)))
       ->type_name(choices(words_of(kAxialMotions)));
   command->add_option("--from", options->from, "Lowest frequency of a gain schedule")

@@ -19,22 +19,15 @@ namespace twum::cli {
 namespace {
 
 constexpr const char* kParametersText =
-    "Names as in studies, CSV headers and `--set`; the symbol is an alias. A parameter name may "
-    "stand wherever a\n"
-    "metric may. Values carry a unit of the same dimension as the one below. If the column "
-    "\"needed\" says "
-    "\"instead of\",\n"
-    "the two parameters describe the same property: a motor file gives one of them, and an "
-    "override of one replaces "
-    "the\n"
-    "other. This page is the output of `twum parameters --format markdown`.";
+    R"text(Names as in studies, CSV headers and `--set`; the symbol is an alias. A parameter name may stand wherever a
+metric may. Values carry a unit of the same dimension as the one below. If the column "needed" says "instead of",
+the two parameters describe the same property: a motor file gives one of them, and an override of one replaces
+the other. This page is the output of `twum parameters --format markdown`.)text";
 
 constexpr const char* kMetricsText =
-    "Names as in studies and `twum evaluate --metrics`. Point metrics take a rotor speed or a load "
-    "torque, and the\n"
-    "unit tells which: `efficiency_at(100 rpm)`, `efficiency_at(0.5 N.m)`. This page is the output "
-    "of\n"
-    "`twum metrics --format markdown`.";
+    R"text(Names as in studies and `twum evaluate --metrics`. The argument of a point metric, such as a rotor speed or a
+load torque, is recognized by its unit: `efficiency_at(100 rpm)`, `efficiency_at(0.5 N.m)`. This page is the
+output of `twum metrics --format markdown`.)text";
 
 std::string range_text(const ParameterInfo& row) {
   const auto limit = [&](double value) {

@@ -67,7 +67,7 @@ studies::MapStudy asked_by(const MapOptions& options) {
 void add_map(CLI::App& app, Action& action) {
   const auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand(
-      "map", "Efficiency map: what a drive that follows needs and gives over speed and torque");
+      "map", "Efficiency map over speed and torque, with the drive adjusted to each point");
   add_study_options(*command, options->study);
   command
       ->add_option("--torque", options->torque,
@@ -82,14 +82,14 @@ void add_map(CLI::App& app, Action& action) {
       ->type_name("NxM");
   command
       ->add_option("--quantity", options->quantity,
-                   "What the picture shows: a metric at a torque and a speed (default: "
+                   "Metric that the picture shows, at a torque and a speed (default: "
                    "overall_efficiency_at, without modal data efficiency_at)")
       ->check(one_of(quantity_names()))
       ->type_name("METRIC");
   command
-      ->add_option("--duty", options->duty,
-                   "A point that is marked and told in full, such as \"0.5 N.m, 100 rpm\"; may be "
-                   "given several times")
+      ->add_option(
+          "--duty", options->duty,
+          "A duty point to mark and to report in full, such as \"0.5 N.m, 100 rpm\" (repeatable)")
       ->type_name("TORQUE,SPEED");
   command->footer(kMapExamples);
   command->callback([options, &action] {

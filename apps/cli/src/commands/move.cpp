@@ -55,7 +55,7 @@ void add_move(CLI::App& app, Action& action) {
   add_study_options(*command, options->study);
   command
       ->add_option("--time,--duration", options->time,
-                   "How long the motion is followed; the drive is switched off at two thirds of it "
+                   "Duration of the motion; the drive is switched off after two thirds of it "
                    "(default: 30 ms)")
       ->type_name("TIME");
   command->add_option("--voltage", options->voltage, "Drive voltage (default: the motor's)")
@@ -76,8 +76,8 @@ void add_move(CLI::App& app, Action& action) {
       ->type_name(choices(words_of(kEngines)));
   command
       ->add_option("--axial", options->axial,
-                   "static: the rotor's axial position is balanced at every instant; dynamic: its "
-                   "mass moves it (default: static)")
+                   "static: the rotor's axial position is in balance at each instant; dynamic: it "
+                   "follows from the rotor's mass (default: static)")
       ->check(one_of(words_of(kAxialMotions)))
       ->type_name(choices(words_of(kAxialMotions)));
   command->footer(kMoveExamples);

@@ -155,10 +155,9 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("FILE");
   add_set_option(*command, options->settings);
   command
-      ->add_option(
-          "-o,--output", options->directory,
-          "Directory for the results (default: results/NAME in the current directory, NAME "
-          "being that of the study file)")
+      ->add_option("-o,--output", options->directory,
+                   "Directory for the results (default: results/NAME in the current directory, "
+                   "with the name of the study file)")
       ->type_name("DIR");
   command
       ->add_option("--jobs", options->jobs,

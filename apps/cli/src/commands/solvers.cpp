@@ -20,12 +20,12 @@ constexpr const char* kText =
 starts, certifies the best design, and tries other solvers if that fails (see
 [optimization](../optimization.md)). The column "gradient" says whether a solver needs gradients; exact
 gradients are always available. Every available solver stays within the bounds of the variables; limits on
-metrics are inequalities. The last two are for `calibrate`, as `solver: gsl:lm`. This page is the output of
-`twum solvers --format markdown`; `twum solvers --options` lists the options only.)text";
+metrics are inequalities. The last two are for studies of kind `calibrate`, for example `solver: gsl:lm`. This page
+is the output of `twum solvers --format markdown`; `twum solvers --options` lists the options only.)text";
 
 constexpr const char* kOptionsText =
-    R"text(Options of single solvers, as entries of `solver:` beside `name`. Those of `nlopt` are for every solver
-whose name begins with `nlopt:`.)text";
+    R"text(Options of single solvers. They are entries of `solver: options:`. The options of `nlopt` apply to every
+solver whose name begins with `nlopt:`.)text";
 
 constexpr const char* kSolversExamples = R"text(Examples:
   twum solvers

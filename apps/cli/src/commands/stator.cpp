@@ -282,8 +282,7 @@ void add_stator(CLI::App& app, Action& action) {
   add_plot_option(*command, options->plot);
   command->add_flag(
       "--solid", options->solid,
-      "Compute the geometry as a solid with CalculiX, beside the plate model; -o then "
-      "names a folder for its files");
+      "Compute the geometry also as a solid with CalculiX; -o then names a folder for its files");
   command
       ->add_option("--mesh", options->mesh,
                    "With --solid: elements through the plate (default: 5, about a minute)")

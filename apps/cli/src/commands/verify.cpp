@@ -46,8 +46,8 @@ std::string report(const studies::Verification& found) {
     text += "  " + counted(found.certificates, "certificate") + " measured again\n";
   text += found.answer_checked ? "  the answer was derived again from the rows\n"
                                : "  interrupted: the answer was not derived again\n";
-  text += found.deviation == 0 ? "  numbers that hold are equal to the bit\n"
-                               : "  numbers that hold are equal to " +
+  text += found.deviation == 0 ? "  confirmed numbers are bitwise equal\n"
+                               : "  confirmed numbers are equal to within " +
                                      studies::rounded_text(found.deviation, 2) + " of their size\n";
   for (const std::string& complaint : found.complaints) text += complaint + "\n";
   if (found.failed > found.complaints.size())

@@ -109,7 +109,7 @@ enum class MotionEventKind : unsigned char {
   swapped,       ///< the phases, so that the wave changed its direction
   squeals,  ///< a backward wave, which an averaged motion leaves out, has grown 150-fold (add_what_is_left_out())
   bounces,  ///< likewise hops of the rotor
-  too_fast  ///< wave and rotor change within less than thirty turns of the wave (add_what_is_left_out())
+  too_fast  ///< wave and rotor change within 30 rad of the wave's phase, about five turns (add_what_is_left_out())
 };
 
 /// Short machine-readable word, such as "pulled-out". Static lifetime.

@@ -6,9 +6,7 @@
 #include <twum/io/number.hpp>
 #include <twum/io/units.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace twum::io {
@@ -50,20 +48,6 @@ std::string cell(const std::string& text) {
   return out;
 }
 
-// The meaning of a value in the shape of a parameter, because its schema describes the parameter itself.
-std::string role_text(const std::string& name, const std::string& otherwise) {
-  constexpr std::pair<std::string_view, std::string_view> kRoles[] = {
-      {"min", "smallest value"},
-      {"max", "largest value"},
-      {"mode", "most likely value"},
-      {"mean", "mean"},
-      {"start", "where a search starts"}};
-  for (const auto& [role, text] : kRoles) {
-    if (role == name) return std::string(text);
-  }
-  return otherwise;
-}
-
 // One row for each entry, those within it below it.
 class TableWriter {
  public:
@@ -83,9 +67,7 @@ class TableWriter {
     if (!entry.spared_by.empty() && entry.required)
       default_text +=
           (entry.alternative_entry.empty() ? ", or `" : " or `") + entry.spared_by + "`";
-    const std::string what =
-        in_parameter_ ? role_text(entry.name, entry.schema.text) : entry.schema.text;
-    const std::string text = (when.empty() ? "" : "`" + when + "`: ") + what;
+    const std::string text = (when.empty() ? "" : "`" + when + "`: ") + entry.schema.text;
     text_ += "| `" + path + "` | " + cell(value(entry.schema)) + " | " + default_text + " | " +
              cell(text) + " |\n";
     // Options of single solvers have a page of their own.

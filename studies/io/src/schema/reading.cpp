@@ -105,7 +105,7 @@ void say_both(const YamlEntry& own, const YamlEntry& alternative, const Spot& sp
               Diagnostics& diagnostics) {
   if (&own < &alternative) return;
   diagnostics.add({own.key_mark, spot.entry(own.key, {}).path,
-                   "cannot be given beside '" + alternative.key + "'", "give one of the two",
+                   "cannot be given together with '" + alternative.key + "'", "give one of the two",
                    alternative.key_mark, "'" + alternative.key + "' given here"});
 }
 

@@ -58,10 +58,10 @@ Field<GivenMotor> support_field() {
   auto edge = required<GivenMotor>(
       "inner_edge",
       word<stator::InnerEdge>(
-          "what holds the inner edge of the plate",
+          "support of the inner edge of the plate",
           {stator::InnerEdge::free, stator::InnerEdge::clamped, stator::InnerEdge::supported}),
       &GivenMotor::inner_edge);
-  return section<GivenMotor>("support", "what holds the plate", {std::move(edge)});
+  return section<GivenMotor>("support", "support of the plate", {std::move(edge)});
 }
 
 bool has_material(std::string_view block) { return block_at(block) != nullptr; }
@@ -73,7 +73,7 @@ Field<GivenMotor> material_field(std::string_view path) {
   field.entry.schema.kind = ValueKind::text;
   field.entry.schema.text =
       "name of a " + std::string(block.kind) +
-      " in the catalogue ('twum materials'): its values stand for entries that are left out";
+      " in the catalogue ('twum materials'); its values replace entries that are left out";
   field.entry.schema.example = block.example;
   field.entry.shown = false;
   field.entry.fallback = "the entries that it would give";

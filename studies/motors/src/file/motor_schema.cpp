@@ -37,7 +37,7 @@ Shape<double> slices(const ParameterInfo& row) {
   schema.min = 1;
   const Shape<double> count = number(schema);
   const Shape<double> automatic = shape_as<double, std::size_t>(
-      choice("as many as an accurate torque needs", {"auto"}),
+      choice("as many as needed for an accurate torque", {"auto"}),
       [](std::size_t) { return kAutoSlices; }, [](const double&) { return std::size_t{0}; });
   Shape<double> shape;
   shape.schema.kind = ValueKind::any_of;
@@ -153,7 +153,7 @@ void check_solid(const GivenMotor& motor, const MotorDesign& design, const Given
   };
   if (!design.stator.geometry) {
     say("modal data of a solid without its geometry",
-        "must stand beside the 'geometry' that was solved");
+        "must be given together with the 'geometry' that was solved");
     return;
   }
   std::string changes;
@@ -165,34 +165,34 @@ void check_solid(const GivenMotor& motor, const MotorDesign& design, const Given
 }
 
 Field<GivenMotor> branch_field() {
-  return hidden(
-      optional<GivenMotor>("branch",
-                           word<Branch>("which stable wave of a motor under a voltage is meant",
-                                        {Branch::running, Branch::dead}),
-                           &GivenMotor::branch, "running"));
+  return hidden(optional<GivenMotor>(
+      "branch",
+      word<Branch>(
+          "stable wave of a motor under a voltage: running, or too small to turn the rotor (dead)",
+          {Branch::running, Branch::dead}),
+      &GivenMotor::branch, "running"));
 }
 
 Field<GivenMotor> control_field() {
-  return hidden(
-      optional<GivenMotor>("control",
-                           word<DriveControl>("what follows where a torque is held at a speed",
-                                              {DriveControl::frequency, DriveControl::voltage}),
-                           &GivenMotor::control, "frequency"));
+  return hidden(optional<GivenMotor>(
+      "control",
+      word<DriveControl>("quantity that the drive adjusts to hold a torque at a speed",
+                         {DriveControl::frequency, DriveControl::voltage}),
+      &GivenMotor::control, "frequency"));
 }
 
 Field<GivenMotor> frequency_range_field() {
-  return hidden(
-      optional<GivenMotor>("frequency_range",
-                           list("lowest and highest frequency of a drive that follows by it",
-                                quantity("a frequency", "Hz", "40 kHz"), 2, 2),
-                           &GivenMotor::frequency_range, "any frequency"));
+  return hidden(optional<GivenMotor>(
+      "frequency_range",
+      list("lowest and highest frequency of a drive that adjusts the frequency",
+           quantity("a frequency", "Hz", "40 kHz"), 2, 2),
+      &GivenMotor::frequency_range, "any frequency"));
 }
 
 Field<GivenMotor> radial_motion_field() {
   return hidden(optional<GivenMotor>(
       "radial_motion",
-      word<bool>("whether the surface moves radially, too, where the wave rises across the track",
-                 {"false", "true"}),
+      word<bool>("whether the radial motion of the surface is included", {"false", "true"}),
       &GivenMotor::radial_motion, "false"));
 }
 
@@ -240,7 +240,7 @@ bool check_shape(GivenMotor& /*motor*/, const Given& given, Diagnostics& diagnos
   for (const char* other : {"exponent", "root"}) {
     if (table == nullptr || given.find(other) == nullptr) continue;
     diagnostics.add(table->mark, given.path("table"),
-                    "a second shape beside '" + std::string(other) + "'",
+                    "a second shape in addition to '" + std::string(other) + "'",
                     "give the table, or exponent and root");
     return false;
   }
@@ -263,19 +263,19 @@ constexpr Section kSections[] = {
     {"stator.sensor", "an electrode that senses the wave", nullptr, false},
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
     {"rotor", "the rotor's face", nullptr, false},
-    {"thermal", "what heats and cools the motor", nullptr, false},
+    {"thermal", "thermal model of the motor", nullptr, false},
     {"thermal.stator", "metal and ceramic of the stator", nullptr, false},
     {"thermal.rotor", "the rotor without the lining", nullptr, false},
-    {"thermal.housing", "the housing and what it is mounted on", nullptr, false},
-    {"thermal.contact", "where lining and stator slide", nullptr, false},
-    {"thermal.conductances", "ways of the heat between the masses and to the ambient", nullptr,
+    {"thermal.housing", "the housing and its mount", nullptr, false},
+    {"thermal.contact", "sliding face between lining and stator", nullptr, false},
+    {"thermal.conductances", "thermal conductances between the masses and to the ambient", nullptr,
      false},
     {"thermal.drift", "relative change per kelvin of the motor's parameters", nullptr, false},
-    {"thermal.one_node", "the whole motor as one mass, from a data sheet, in place of the others",
-     nullptr, false},
-    {"wear", "how the track wears, and what ends its life", nullptr, false},
-    {"load", "what the shaft drives, for motions in time", nullptr, false},
-    {"driver", "the electronics that feed the phases", nullptr, false},
+    {"thermal.one_node",
+     "the whole motor as one mass, from a data sheet, instead of the three masses", nullptr, false},
+    {"wear", "wear of the contact track, and the end of its life", nullptr, false},
+    {"load", "load on the shaft, for motions in time", nullptr, false},
+    {"driver", "electronics that drive the phases", nullptr, false},
     {"stator.geometry",
      "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
      nullptr, false},

@@ -35,7 +35,7 @@ bool refuse(const Given& given, const char* entry, std::string found, std::strin
 bool check_idle(const Given& given, Diagnostics& diagnostics) {
   for (const char* other : {"torque", "speed", "time", "voltage"})
     if (given.find(other) != nullptr)
-      return refuse(given, other, "an entry beside 'idle', which is a phase without load",
+      return refuse(given, other, "given together with 'idle', which is a phase without load",
                     "leave it out, or write 'time' in place of 'idle'", diagnostics);
   return true;
 }
@@ -43,13 +43,13 @@ bool check_idle(const Given& given, Diagnostics& diagnostics) {
 bool check_phase(GivenPhase& phase, const Given& given, Diagnostics& diagnostics) {
   if (given.find("idle") != nullptr) return check_idle(given, diagnostics);
   if (given.find("time") == nullptr)
-    return refuse(given, "time", "a phase without its time", std::string("give it, ") + kExample,
+    return refuse(given, "time", "the phase has no time", std::string("give it, ") + kExample,
                   diagnostics);
   if (given.find("torque") == nullptr && given.find("speed") == nullptr)
-    return refuse(given, "torque", "a phase without a torque or a speed",
+    return refuse(given, "torque", "the phase has neither torque nor speed",
                   std::string("expected a torque, a speed, or both, ") + kExample, diagnostics);
   if (phase.torque && phase.speed && !(*phase.speed > 0))
-    return refuse(given, "speed", "a torque that is held at rest",
+    return refuse(given, "speed", "a torque held at rest",
                   "expected a speed of more than 0 rpm; at rest friction holds without a wave",
                   diagnostics);
   return true;
@@ -83,15 +83,17 @@ Shape<LoadPhase> phase_shape() {
       mapping<P>(
           "a phase",
           {optional<P>("torque", quantity("load torque", "N.m", "0.5 N.m"), &P::torque, "none"),
-           optional<P>("speed",
-                       quantity("speed; with a torque the drive holds it", "rad/s", "60 rpm"),
-                       &P::speed, "that under the torque"),
-           optional<P>("time", more_than_zero("how long it lasts", "s", "60 s"), &P::time,
-                       "none; 'idle' says it"),
+           optional<P>(
+               "speed",
+               quantity("rotor speed; given with a torque: the drive is adjusted to hold both",
+                        "rad/s", "60 rpm"),
+               &P::speed, "the speed under the torque"),
+           optional<P>("time", more_than_zero("duration of the phase", "s", "60 s"), &P::time,
+                       "none; with 'idle' not needed"),
            optional<P>("voltage", more_than_zero("voltage of each phase, rms", "V", "90 V"),
                        &P::voltage, "the motor's"),
-           optional<P>("idle", more_than_zero("how long the motor is off", "s", "100 s"), &P::idle,
-                       "a phase with a load")},
+           optional<P>("idle", more_than_zero("duration with the motor off", "s", "100 s"),
+                       &P::idle, "a phase with a load")},
           check_phase),
       load_phase, as_given);
 }
@@ -100,7 +102,7 @@ Shape<LoadPhase> phase_shape() {
 
 const Shape<std::vector<LoadPhase>>& operation_shape() {
   static const Shape<std::vector<LoadPhase>> shape = [] {
-    auto phases = list("what the motor does, repeated for ever", phase_shape());
+    auto phases = list("phases of the operation, repeated continuously", phase_shape());
     phases.schema.example = "[{torque: 0.5 N.m, time: 60 s}, {idle: 100 s}]";
     return phases;
   }();
@@ -116,7 +118,7 @@ bool check_operation(const std::vector<LoadPhase>& phases, bool has_voltage, con
     if (!phases[i].voltage) continue;
     diagnostics.add(node->items[i].mark,
                     motor.path("operation") + "[" + std::to_string(i) + "].voltage",
-                    "a voltage for a motor that is given by its amplitude",
+                    "the amplitude of this motor is given, so it has no voltage",
                     "leave it out, or give stator.voltage");
     good = false;
   }

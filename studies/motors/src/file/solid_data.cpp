@@ -69,10 +69,10 @@ Field<SolidData> drawing_field() {
   fields.push_back(required<SolidData>(
       "inner_edge",
       word<stator::InnerEdge>(
-          "what holds the inner edge",
+          "support of the inner edge",
           {stator::InnerEdge::free, stator::InnerEdge::clamped, stator::InnerEdge::supported}),
       &SolidData::inner_edge));
-  return section<SolidData>("drawing", "the stator that was solved", fields);
+  return section<SolidData>("drawing", "the stator for which the solid was solved", fields);
 }
 
 const Shape<SolidData>& solid_file_shape() {
@@ -85,9 +85,10 @@ const Shape<SolidData>& solid_file_shape() {
     fields.push_back(drawing_field());
     return mapping<SolidData>(
         "modal data of a stator as a solid",
-        {version_field<SolidData>(), required<SolidData>(
-                                         "solid", mapping<SolidData>("what the solid says", fields),
-                                         [](auto& file) -> auto& { return file; })});
+        {version_field<SolidData>(),
+         required<SolidData>(
+             "solid", mapping<SolidData>("results of the solid model", fields),
+             [](auto& file) -> auto& { return file; })});
   }();
   return shape;
 }
@@ -115,7 +116,7 @@ std::string solid_text(const SolidData& data, const std::string& name) {
   const YamlNode file = solid_file_shape().write(data);
   std::string text = "# Modal data of the stator of " + printable(name) +
                      " as a solid, from 'twum stator --solid'. A motor file with the same\n"
-                     "# geometry takes them by the entry 'solid' beside 'geometry'.\n";
+                     "# geometry uses them through the entry 'solid', together with 'geometry'.\n";
   return text + yaml_text(file, 0);
 }
 

@@ -18,11 +18,12 @@ std::span<const Reason> reasons() {
       {MetricStatus::not_converged,
        "no steady state was found; common for a layer without damping"},
       {MetricStatus::resonance, "the layer has no damping and is driven at its own resonance"},
-      {MetricStatus::unresolved, "more zones of stick and slip than can be followed"},
+      {MetricStatus::unresolved,
+       "the contact has more stick and slip zones than the solver can resolve"},
       {MetricStatus::inaccurate,
        "rounding errors are too large, because the parameters are far from those of any motor; "
        "change them"},
-      {MetricStatus::out_of_range, "the rotor runs backward as fast as the wave, or faster"},
+      {MetricStatus::out_of_range, "the rotor runs backward as fast as the wave or faster"},
       {MetricStatus::pulled_out,
        "the voltage cannot sustain a running wave at this speed; raise the voltage or the "
        "frequency"},
@@ -30,8 +31,8 @@ std::span<const Reason> reasons() {
        "the voltage cannot sustain a running wave at any speed; raise the voltage or the "
        "frequency"},
       {MetricStatus::no_dead_branch,
-       "the motor starts by itself, so there is no wave too small to move the rotor; lower the "
-       "voltage or the frequency"},
+       "the motor starts by itself, so there is no wave that is too small to move the rotor; lower "
+       "the voltage or the frequency"},
       {MetricStatus::unstable_amplitude,
        "the requested wave is unstable: a small disturbance of it grows"},
       {MetricStatus::backward_wave_unknown,
@@ -41,7 +42,7 @@ std::span<const Reason> reasons() {
       {MetricStatus::does_not_pull_out,
        "the running wave exists at every speed down to rest, so there is no pull-out torque"},
       {MetricStatus::torque_out_of_reach,
-       "no amplitude of the wave carries this torque at this speed: it is more than friction can "
+       "no wave amplitude can carry this torque at this speed: it exceeds what friction can "
        "transmit"},
       {MetricStatus::voltage_too_low,
        "the drive cannot hold this torque at this speed with its voltage; raise the voltage"},
@@ -51,30 +52,29 @@ std::span<const Reason> reasons() {
        "the frequency that holds this torque at this speed lies outside stator.frequency_range"},
       {MetricStatus::no_steady_temperature,
        "the motor warms until it no longer carries the load, so there is no steady temperature; "
-       "lower the load, run it a part of the time only, or let the drive track the resonance "
+       "lower the load, run it only part of the time, or let the drive track the resonance "
        "(frequency_ratio)"},
       {MetricStatus::thermally_unstable,
-       "the temperatures do not settle: the losses rise faster with temperature than the heat "
-       "leaves; lower the voltage or the load, or let the drive track the resonance "
+       "the temperatures do not become steady: with temperature the losses rise faster than the "
+       "heat outflow; lower the voltage or the load, or let the drive track the resonance "
        "(frequency_ratio)"},
       {MetricStatus::temperature_out_of_range,
-       "the temperature is so far from the reference that a parameter would lose nine tenths of "
-       "its value or leave its range; lower the voltage, or check the entries of thermal.drift"},
+       "the temperature is so far from the reference that a parameter would lose 90 % of its value "
+       "or leave its range; lower the voltage, or check the entries of thermal.drift"},
       {MetricStatus::too_hot_at_no_load,
-       "a limit of temperature is broken without a load already; lower the voltage or run the "
-       "motor a part of the time only, since less torque does not help"},
+       "a temperature limit is exceeded even without load; lower the voltage, or run the motor "
+       "only part of the time; less torque does not help"},
       {MetricStatus::never_too_hot,
-       "no limit of temperature is reached, however long the motor runs with this load"},
+       "no temperature limit is reached, even if the motor runs continuously with this load"},
       {MetricStatus::does_not_wear,
-       "nothing slips in the contact under this load, so that nothing wears and the life has no "
-       "end"},
+       "nothing slips in the contact under this load, so nothing wears and the life is unlimited"},
       {MetricStatus::does_not_start,
        "from rest the rotor does not reach 90 % of its steady speed; raise the voltage, or start "
        "at "
        "a higher frequency"},
       {MetricStatus::does_not_stop,
-       "with the drive off the load keeps the rotor turning, and the rotor the wave, so that "
-       "friction never holds it"}};
+       "with the drive off the load keeps the rotor turning and the rotor keeps the wave running, "
+       "so friction never holds the rotor"}};
   return kReasons;
 }
 

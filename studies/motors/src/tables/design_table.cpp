@@ -178,7 +178,7 @@ void DesignTable::check_alternatives(std::vector<std::string>& wrong) const {
     const auto alternative = info(*column.parameter).alternative;
     const auto before = alternative ? first.find(*alternative) : first.end();
     if (before != first.end()) {
-      wrong.push_back("column " + quoted(column.name) + ": cannot be given beside " +
+      wrong.push_back("column " + quoted(column.name) + ": cannot be given together with " +
                       quoted(before->second->name) + "; give one of the two");
     }
   }

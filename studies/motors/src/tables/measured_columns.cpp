@@ -186,7 +186,7 @@ class ColumnReader {
         const bool both =
             a.role == ColumnRole::parameter && b.role == ColumnRole::parameter && &b < &a;
         if (!both || info(a.parameter).alternative != b.parameter) continue;
-        diagnostics_.add({a.mark, a.name, "cannot be set beside " + quoted(b.name),
+        diagnostics_.add({a.mark, a.name, "cannot be set together with " + quoted(b.name),
                           "leave out one of the two columns", b.mark, "set here"});
       }
   }
@@ -218,7 +218,7 @@ class ColumnReader {
       request->argument = Argument::torque;
     else if (takes == Argument::torque)
       diagnostics_.add(column.mark, column.name, "read at a torque that no column gives",
-                       has_speed_ ? "leave out 'speed', beside which 'torque' is measured"
+                       has_speed_ ? "leave out 'speed'; with it, 'torque' is a measured value"
                                   : "expected a column such as 'torque [N.m]'");
     else
       diagnostics_.add(begin, "", "no column 'speed'", "expected one such as 'speed [rpm]'");
@@ -236,8 +236,8 @@ class ColumnReader {
     else
       diagnostics_.add(begin, "", "no column with measured values",
                        missing("torque",
-                               "expected one such as 'torque [N.m]' beside 'speed [rpm]', or "
-                               "'no_load_speed [rpm]'"));
+                               "expected one such as 'torque [N.m]' together with 'speed [rpm]', "
+                               "or 'no_load_speed [rpm]'"));
   }
 
   // What to do about a column that is not there; one with another heading may be it.

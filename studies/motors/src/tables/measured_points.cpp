@@ -231,7 +231,7 @@ class PointReader {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].weight > 0) continue;
       diagnostics_.add(weight_marks_[i].first, weight_marks_[i].second,
-                       "the weight of the point is negligible beside the others",
+                       "the weight of the point is negligible compared with the others",
                        "to ignore a point leave out its line");
     }
   }

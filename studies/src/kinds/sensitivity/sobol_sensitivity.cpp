@@ -131,11 +131,10 @@ class SobolSensitivity : public SensitivityRun {
       result.samples = metric.samples + metric.dropped;
       if (refused(metric, "samples")) continue;
       if (indices[i].constant()) {
-        metric.note =
-            metric.sd == 0
-                ? "the same over the whole ranges: no variable matters"
-                : "its standard deviation is less than 1e-9 of its mean, which is as accurate "
-                  "as a metric is: no shares can be told";
+        metric.note = metric.sd == 0
+                          ? "the same over the whole ranges: no variable has an influence"
+                          : "its standard deviation is less than 1e-9 of its mean, the accuracy of "
+                            "a metric: no shares can be computed";
         continue;
       }
       const std::vector<SobolShares> shares = indices[i].shares(confidence_);

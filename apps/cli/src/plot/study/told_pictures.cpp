@@ -7,6 +7,7 @@
 #include <twum/studies/telling.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace twum::cli {
@@ -124,7 +125,9 @@ Picture chart_picture(const FinishedStudy& study, const telling::Section& sectio
               !one,
               section.columns};
   for (const telling::Chart& told : section.charts) chart.panels.push_back(panel_of(told));
-  return picture_of(file_word(one ? section.charts.front().name : read(section.heading)), chart);
+  std::string name = one ? section.charts.front().name : read(section.heading);
+  name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+  return picture_of(file_word(name), chart);
 }
 
 using Row = std::vector<telling::Phrase>;
