@@ -53,9 +53,9 @@ MotorDesign under_wave(const MotorDesign& given, const MotionSample& sample) {
   return design;
 }
 
-constexpr double kSlow =
-    1.0 / 30;  // of the wave's rate: a slower motion takes 30 rad of its phase or more
-constexpr std::size_t kLooks = 100;  // at samples, for that
+// Of the wave's rate: at a smaller rate the motion takes 30 rad of the wave's phase or more, about five turns.
+constexpr double kSlow = 1.0 / 30;
+constexpr std::size_t kLooks = 100;  // samples that are checked
 
 // Of the rotor in the direction of the wave.
 double speed_along_wave(const MotionTask& task, const MotionSample& sample) {
