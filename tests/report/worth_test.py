@@ -127,7 +127,7 @@ class Newcomer(Page):
                         for motor in (ROOT / "examples/motors/ring-60.yaml", self.result("optimize-ring-60") / "best.yaml"))
         expected = {
             "optimize-ring-60": (rf"best design found has a peak power of {best:.4g} W, against {before:.4g} W before",
-                                 r"What stops it most: no-load speed ≥ 100 rpm: 1 % looser, at 99 rpm, changes peak power by \+\d+ mW"),
+                                 r"Most restrictive limit: no-load speed ≥ 100 rpm: 1 % looser, at 99 rpm, changes peak power by \+\d+ mW"),
             "size-05Nm-100rpm": (r"best design found has a max pressure of 1\.\d+ MPa",
                                  r"contact radius ≤ 30 mm, the end of its range: 1 % looser, at 30\.3 mm, changes max pressure by -\d"),
             "pareto-power-wear": (rf"knee has peak power {self.knee_power():.3g} W",

@@ -61,7 +61,7 @@ TEST_CASE("a front whose yield cannot be reached tells the largest one of a stud
   CHECK(s.front().largest_yield->share.low <= 0.74350160751);
   CHECK(s.front().largest_yield->share.high >= 0.743487159677);
   CHECK(s.kind_json()["largest_yield"]["verdict"] == Json("broken"));
-  CHECK(s.text().find("The wanted yield cannot be reached.") == 0);
+  CHECK(s.text().find("The required yield cannot be reached.") == 0);
 }
 
 TEST_CASE("every point of the example front holds 99 %", "[studies][robust]") {

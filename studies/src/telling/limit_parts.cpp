@@ -224,7 +224,7 @@ std::vector<Phrase> holder_phrases(const Json& standings, const std::vector<Goal
 Phrase state_phrase(const Json& standing) {
   const std::string state = standing["state"];
   if (state == "holds") return {good("holds")};
-  if (state == "unknown") return {"not known"};
+  if (state == "unknown") return {"unknown"};
   if (state == "broken")
     return {bad("broken by "), bad(value_part(number(standing["violation"]), standing["unit"], 3))};
   return {bad(state == "unreachable" ? "cannot be reached" : "binds")};

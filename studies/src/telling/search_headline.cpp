@@ -25,14 +25,14 @@ double before_of(const OptimizeResult& answer) {
 
 // What binds most, or a whole number at an end of its range.
 Phrase stop_sentence(const OptimizeResult& answer) {
-  Phrase phrase{"What stops it most: "};
+  Phrase phrase{"Most restrictive limit: "};
   for (const Json& standing : standings_json(answer.best, {answer.goal})) {
     if (standing["state"] != "binds") continue;
     append(phrase, holder_phrase(standing, {answer.goal}, answer.best));
     return phrase;
   }
   if (answer.whole_ends.empty())
-    return {"No limit stops it: it is the best design within the ranges."};
+    return {"No limit is active: it is the best design within the ranges."};
   const BoundState& end = answer.whole_ends.front();
   append(phrase, end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
   append(phrase, {", the end of its range: whole numbers have no slope. Try a wider range."});
@@ -198,7 +198,7 @@ Headline no_front(const ParetoResult& answer) {
   Phrase second{"At the design of the largest one "};
   append(second, yield_phrase(*answer.largest_yield));
   append(second, {" Tighten a tolerance or loosen a limit."});
-  return {Look::bad, "", {{strong("The wanted yield cannot be reached.")}, second}, {}};
+  return {Look::bad, "", {{strong("The required yield cannot be reached.")}, second}, {}};
 }
 
 }  // namespace
