@@ -187,3 +187,36 @@ TEST_CASE("a planned impedance names its frequency, and no preload", "[studies][
   }
   CHECK_THAT(bare.text(), Contains("impedance, frequency 40.8 kHz"));
 }
+
+TEST_CASE("a temperature is planned where no part of the motor is above its limit",
+          "[studies][calibrate][heat]") {
+  Case bench;
+  bench.motor = "warm-60";
+  bench.variables =
+      "conductance_housing_ambient: {min: 0.05 W/K, max: 1 W/K, scale: log}, "
+      "conductance_stator_housing: {min: 0.1 W/K, max: 3 W/K, scale: log}";
+  bench.more = "starts: 1, scatter: stated";
+  const StudyFile file = bench.file(
+      "torque [N.m],stator_temperature_at [degC],stator_temperature_at_sd [K],"
+      "housing_temperature_at [degC],housing_temperature_at_sd [K]\n"
+      "0.2,53.4,0.3,46.2,0.3\n0.5,56.2,0.3,49.6,0.3\n0.8,65.6,0.3,56.2,0.3\n");
+  const Run run(file);
+  MotorDesign fitted = file.motor.design;
+  for (const auto& one : run.result().estimates)
+    fitted = with(fitted, *find_parameter(one.parameter.name), one.parameter.value);
+  const auto margin = [](const MotorDesign& design, double torque) {
+    return evaluate(Motor(design),
+                    MetricRequest{Metric::temperature_margin_at, Argument::torque, torque});
+  };
+  // The largest voltage and nine tenths of the torque would be too hot.
+  const double most = 0.9 * evaluate(Motor(fitted), MetricRequest{Metric::max_torque}).value;
+  const double volts = 1.25 * get(fitted, Parameter::voltage);
+  CHECK(margin(with(fitted, Parameter::voltage, volts), most).value < 0);
+  REQUIRE(run.result().plan.size() == 10);
+  for (const auto& planned : run.result().plan) {
+    MotorDesign design = fitted;
+    for (const NamedValue& one : planned.point.set)
+      design = with(design, *find_parameter(one.name), one.value);
+    CHECK(margin(design, planned.point.at).value >= 0);
+  }
+}

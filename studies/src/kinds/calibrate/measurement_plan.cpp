@@ -154,9 +154,21 @@ class Planner {
   void add(const MeasuredPoint& like, const Reading& reading,
            const std::vector<ParameterValue>& set, std::vector<Candidate>& list) const {
     MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set, {}, {}, like.table};
+    if (overheats(point)) return;
     optim::Residuals found = fit_.asking({point}).residuals(values_);
     if (!found.failure.empty()) return;
     list.push_back({std::move(point), in_ranges(found.jacobian.data())});
+  }
+
+  // A steady temperature is not measured where the motor would become hotter than a part of it bears.
+  bool overheats(const MeasuredPoint& point) const {
+    const auto* request = std::get_if<MetricRequest>(&point.reading);
+    if (request == nullptr || info(request->metric).unit != "K") return false;
+    const MotorDesign design = with(fit_.motor_at(values_, point.table), point.set);
+    MetricRequest margin = *request;
+    margin.metric = Metric::temperature_margin_at;
+    const MetricValue found = evaluate(Motor(design), margin);
+    return found.status == MetricStatus::ok && found.value < 0;
   }
 
   // Mean weight of the points of its kind on its motor, assumed for a further point.
