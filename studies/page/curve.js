@@ -257,9 +257,8 @@ export class CurveSection {
     // ends there.
     const ended = (c) => Array.from(c[name], (value, i) => (c.output_power[i] <= 0 ? 0 : value));
     const list = this.list.map((c) => ({...c, [name]: ended(c)}));
-    const note = damped ?
-        'Output power over input power, with the losses of the contact and of the vibrating stator.' :
-        'Output power over the power to the contact; without modal damping the stator has no loss.';
+    const note = damped ? 'Output power over input power, with the losses of the contact and of the vibrating stator.' :
+                          'Output power over the power to the contact; without modal damping the stator has no loss.';
     return this.half(name, damped ? 'Efficiency' : 'Contact efficiency', note, {...share, list});
   }
 

@@ -85,8 +85,7 @@ function failuresCard() {
   const end = (n, v) => (typeof v.low === 'string' ? v.low : range(n, v));
   const where = (r) =>
       Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + end(n, v));
-  const note = 'A requested number does not exist for these ' + rowWord() +
-      ', or could not be computed. They ' +
+  const note = 'A requested number does not exist for these ' + rowWord() + ', or could not be computed. They ' +
       'are counted here and left out of everything else.';
   const lines = summary.failure_regions.map(
       (r) =>
@@ -120,9 +119,7 @@ function glossaryCard() {
     ...names.map((n) => [named(n), words(tableRow(n).text), words(n)]),
     ...Object.entries(data.efficiencies).map(([n, text]) => [words(n.replaceAll('_', ' ')), words(text), words(n)])
   ];
-  foldedCard(
-      'Names', lines.length + ' names', 'wide',
-      table('names', ['name', 'meaning', 'as typed'], lines));
+  foldedCard('Names', lines.length + ' names', 'wide', table('names', ['name', 'meaning', 'as typed'], lines));
 }
 
 function provenanceCard() {
@@ -134,8 +131,7 @@ function provenanceCard() {
         ...Object.entries(build.libraries || {})
       ].filter(([, v]) => v !== undefined && v !== null && v !== '')
           .map(([n, v]) => [words(n), words(String(v))]);
-  foldedCard(
-      'Provenance', 'version, date, libraries', 'half', table('provenance', ['item', 'value'], lines));
+  foldedCard('Provenance', 'version, date, libraries', 'half', table('provenance', ['item', 'value'], lines));
   foldedCard('The study', 'as run, with all defaults', 'half', el('pre', {tabindex: '0'}, data.study));
 }
 

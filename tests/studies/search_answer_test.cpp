@@ -323,9 +323,8 @@ TEST_CASE("without a design that keeps the limits there are no prices",
   OptimizeResult result = optimum();
   CHECK_THAT(sections_text(result), Contains("Limits\n") && Contains("1 % looser"));
   result.explanation.conflict = {"max_pressure <= 2 MPa"};
-  CHECK_THAT(sections_text(result),
-             !Contains("Limits\n") && !Contains("1 % looser") &&
-                 Contains("Limits at the design that violates them least"));
+  CHECK_THAT(sections_text(result), !Contains("Limits\n") && !Contains("1 % looser") &&
+                                        Contains("Limits at the design that violates them least"));
 }
 
 TEST_CASE("limits impossible alone come first, then those that exclude each other, then the ranges",

@@ -8,7 +8,8 @@ namespace twum::optim {
 /// Result and cost of the search for causes.
 struct Causes {
   Infeasibility infeasibility;
-  std::vector<double> feasible;  ///< a design that keeps every limit, user units, if one was found all the same
+  std::vector<double>
+      feasible;  ///< a design that keeps every limit, user units, if one was found all the same
   Counters counters;
   std::uint64_t stages_used{0};
   StopReason stop{StopReason::finished};

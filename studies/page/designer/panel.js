@@ -81,8 +81,7 @@ export class DesignerPanel {
                el('div', {class: 'pair'}, traction, velocity)),
            panelCard('Load, limits and a constant metric', '', this.limits.node),
            panelCard('Drive adjusted to a load', '', this.hold.node),
-           panelCard('Start and stop', '', this.startStop.node),
-           panelCard('Cross-section', '', section)));
+           panelCard('Start and stop', '', this.startStop.node), panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
     node.addEventListener('keydown', (event) => stepKeys(this, event));
   }
