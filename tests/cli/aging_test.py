@@ -23,6 +23,13 @@ class Heat(program.Case):
         self.assertEqual(heat["cycle"]["status"], "ok")
         self.assertEqual(len(heat["cycle"]["phases"]), 2)
 
+    def test_each_empty_cell_of_a_table_has_its_reason(self):
+        metrics = ("--metrics", "on_time_at(0.5 N.m), on_time_at(1 N.m)")
+        reasons = "on_time_at(0.5 N.m): never-too-hot; on_time_at(1 N.m): no-steady-temperature"
+        self.assertIn(f",,{reasons}\n", program.twum("evaluate", WARM, *metrics).stdout.decode())
+        designs = self.write("designs.csv", "preload [N]\n170\n")
+        self.assertIn(f"170,,,{reasons}\n", program.twum("evaluate", WARM, "--designs", designs, *metrics).stdout.decode())
+
     def test_the_warm_up_is_a_table(self):
         rows = list(csv.DictReader(io.StringIO(
             self.ok("heat", WARM, *LOAD, "--time", "10 min", "--points", "5", "--format", "csv"))))

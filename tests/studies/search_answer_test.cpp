@@ -285,9 +285,10 @@ TEST_CASE("limits that no design keeps are named with what would do",
   // One limit that cannot be reached by itself, without a way out; and a way out without a conflict.
   result.explanation.conflict = {"stall_torque >= 1 N.m"};
   result.explanation.limits.clear();
-  CHECK(headline_text(result, "infeasible") ==
-        "No design keeps every limit. stall_torque >= 1 N.m cannot be reached.\n"
-        "No single limit or end of a range was found that makes it possible.\n");
+  CHECK(
+      headline_text(result, "infeasible") ==
+      "No design keeps every limit. stall_torque >= 1 N.m cannot be reached.\n"
+      "No loosening of a single limit and no move of one end of a range was found to be enough.\n");
   CHECK_THAT(sections_text(result), !Contains("What would make it possible"));
   CHECK(answer_json(result).contains("relaxation"));
   result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, kNaN)};

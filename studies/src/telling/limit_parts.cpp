@@ -336,8 +336,7 @@ Phrase certificate_phrase(const DesignReport& report, const std::string& goal_un
 std::vector<Section> relaxation_sections(const Explanation& explanation) {
   Section section{
       {"What would make it possible"},
-      {"How far each limit has to be loosened, or the end of a range moved: the least that "
-       "was found."}};
+      {"The least change of each limit, and of each end of a range, that was found to be enough."}};
   if (!explanation.limits.empty()) section.tables.push_back(loosened_table(explanation.limits));
   if (!explanation.ranges.empty()) section.tables.push_back(ends_table(explanation.ranges));
   return section.tables.empty() ? std::vector<Section>{} : std::vector{section};

@@ -99,7 +99,9 @@ Phrase cause_sentence(const Explanation& told) {
 Phrase joint_cure_sentence(const Explanation& told) {
   const auto loosened =
       std::ranges::count_if(told.limits, [](const RelaxationState& one) { return one.amount > 0; });
-  if (loosened == 0) return {"No single limit or end of a range was found that makes it possible."};
+  if (loosened == 0)
+    return {
+        "No loosening of a single limit and no move of one end of a range was found to be enough."};
   return {
       "Loosening a single limit is not enough; the table shows how far several have to be "
       "loosened together."};

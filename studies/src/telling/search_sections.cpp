@@ -21,8 +21,8 @@ Section curves(const OptimizeResult& answer) {
   return section;
 }
 
-// Where no design keeps all limits, there is no optimum, and so no price of a limit.
-Section limits_least_broken(const Json& standings) {
+// Where no design keeps all limits there is no optimum, so a limit has no price.
+Section limits_least_violated(const Json& standings) {
   Section section{{"Limits at the design that violates them least"}};
   section.tables = {limits_table(standings, {})};
   return section;
@@ -321,7 +321,7 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
   add(relaxation_sections(answer.explanation));
   if (!standings.empty())
     list.push_back(answer.explanation.empty() ? limits(answer, standings, sources)
-                                              : limits_least_broken(standings));
+                                              : limits_least_violated(standings));
   if (answer.robust) add(robust_sections(*answer.robust, answer.goal));
   add({design(answer, sources), metrics(answer)});
   if (answer.explanation.empty()) {

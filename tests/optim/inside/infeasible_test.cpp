@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of problems without a feasible design, where the least infeasible one is known.
+#include "search/causes.hpp"
 #include "search/infeasibility.hpp"
 
 #include "optim/bank/dual_problem.hpp"
@@ -119,4 +120,19 @@ TEST_CASE("nothing is said of limits at a design that cannot be evaluated",
   CHECK(none.conflict.empty());
   CHECK(none.relaxations.empty());
   CHECK_FALSE(none.certified);
+}
+
+TEST_CASE("a search for the least loosening that needs none says so", "[optim][infeasible]") {
+  // x >= 1 can be kept; an earlier search is said to have ended at x = 1/2.
+  const Problem p = posed({{"one", 1.0}}, [](const D* x, D* r) {
+    r[0] = x[0] * x[0] + x[1];
+    r[1] = x[0];
+  });
+  Infeasibility before;
+  before.design = {0.5, 2.0};
+  before.relaxations = {{"one", Side::lower, 1.0, 0.5, 0.5}};
+  const Causes causes = find_causes(p, {}, Deadline(kInfinity), 1000, before);
+  REQUIRE(causes.feasible.size() == 2);
+  CHECK(causes.feasible[0] >= 1.0);
+  CHECK(causes.infeasibility.conflict.empty());
 }

@@ -98,7 +98,7 @@ int run_alone(const EvaluateOptions& options, std::vector<studies::MetricExpress
   if (metrics.empty()) metrics = usual_metrics(design, {});
   const std::vector<MetricValue> values =
       studies::ExpressionEvaluator(metrics).evaluate(Motor(design));
-  const std::string reason = studies::unanswered(metrics, values);
+  const std::string reason = studies::without_number(metrics, values);
   std::vector<std::string> names;
   std::vector<std::string> cells;
   for (std::size_t i = 0; i < metrics.size(); ++i) {

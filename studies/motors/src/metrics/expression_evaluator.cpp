@@ -208,9 +208,10 @@ std::string unanswered(std::span<const MetricExpression> expressions,
   });
 }
 
-std::string endless(std::span<const MetricExpression> expressions,
-                    std::span<const MetricValue> values) {
-  return statuses(expressions, values, [](MetricStatus status) { return is_endless(status); });
+std::string without_number(std::span<const MetricExpression> expressions,
+                           std::span<const MetricValue> values) {
+  return statuses(expressions, values,
+                  [](MetricStatus status) { return status != MetricStatus::ok; });
 }
 
 }  // namespace twum::motors

@@ -283,9 +283,10 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
     scratch.reason = (refused ? at_line(line) : "") + failure->text;
   } else {
     scratch.metrics = std::get<std::vector<MetricValue>>(std::move(outcome));
-    scratch.reason = unanswered(metrics_, scratch.metrics);
+    scratch.reason = without_number(metrics_, scratch.metrics);
+    return unanswered(metrics_, scratch.metrics).empty();
   }
-  return scratch.reason.empty();
+  return false;
 }
 
 // Appends the copied columns, each followed by a comma. There are always as many cells as in the header.
@@ -309,9 +310,7 @@ bool DesignTable::append_result(std::string_view record, std::size_t line, Scrat
     if (metric.status == MetricStatus::ok) append_number(out, metric.value);
     out += ',';
   }
-  // An empty cell has a reason, also where the value has no end.
-  const std::string reason = ok ? endless(metrics_, scratch.metrics) : scratch.reason;
-  append_cell(out, reason.empty() ? std::string_view("ok") : std::string_view(reason));
+  append_cell(out, scratch.reason.empty() ? "ok" : std::string_view(scratch.reason));
   out += '\n';
   return ok;
 }

@@ -138,8 +138,8 @@ class ExpressionEvaluator {
 /// @param values  of the expressions, in their order
 std::string unanswered(std::span<const MetricExpression> expressions,
                        std::span<const MetricValue> values);
-/// Names the expressions whose value has no end, such as "on_time_at(0.5 N.m): never-too-hot"; empty if there are none.
-std::string endless(std::span<const MetricExpression> expressions,
-                    std::span<const MetricValue> values);
+/// The same with the expressions whose value has no end, such as "on_time_at(0.5 N.m): never-too-hot": each that has no number.
+std::string without_number(std::span<const MetricExpression> expressions,
+                           std::span<const MetricValue> values);
 
 }  // namespace twum::motors
