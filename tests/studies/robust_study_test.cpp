@@ -94,6 +94,92 @@ TEST_CASE("a probability of one limit is a yield of it alone", "[studies][robust
         Approx(value(yield.optimum().best.design, "preload")).epsilon(1e-6));
 }
 
+namespace {
+
+// The largest preload of which a share of the motors, built with ten measured linings, keeps 1 N.m of holding torque.
+StudyFile largest_with_parts(const ScratchFolder& folder, const std::string& more,
+                             const std::string& heading = "kinetic_friction") {
+  std::ofstream parts(folder.path("parts.csv"));
+  parts << heading << "\n";
+  for (int i = 0; i < 10; ++i) parts << 0.18 + 0.005 * i << "\n";
+  parts.close();
+  const std::string path = folder.path("study.yaml");
+  std::ofstream(path)
+      << "twum: 1\nmotor: " << motor_path("ring-60")
+      << "\nset: {static_friction: 0.2}\nstudy: {kind: optimize, variables: {preload: "
+         "{min: 60 N, max: 300 N}}, maximize: preload, parts: parts.csv, "
+      << more << "}\n";
+  return read_study_file(path);
+}
+
+// holding_torque = mu r F; C8 without tolerances has 188.679245283 N with 0.2.
+double preload_with(double friction) { return 188.679245283 * 0.2 / friction; }
+
+}  // namespace
+
+TEST_CASE("a search takes measured parts whole", "[studies][robust]") {
+  const ScratchFolder folder;
+  const Search s(
+      largest_with_parts(folder, "constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']"));
+  CHECK(s.answer.outcome == "optimal");
+  // Eight of ten have to hold, of which the worst has 0.215. Nearer to the limit by at most the clearance, 1e-6 of the spread,
+  // and the tolerance of the search, 1e-8.
+  const double preload = value(s.optimum().best.design, "preload");
+  CHECK(preload == Approx(preload_with(0.215)).epsilon(1e-6));
+  CHECK(preload <= preload_with(0.215));
+  const RobustReport& robust = *s.optimum().robust;
+  CHECK(robust.yields[0].verdict == "holds");
+  // 20,000 motors: four standard errors of 0.0028.
+  CHECK(robust.yields[0].share.value == Approx(0.8).margin(4 * 0.0029));
+  CHECK(robust.tolerances.empty());
+  CHECK(s.kind_json()["robust"]["parts"] == Json{{"file", "parts.csv"}, {"count", 10}});
+  CHECK(s.text().find("Each motor is one of the 10 measured parts in 'parts.csv'.") !=
+        std::string::npos);
+  const std::vector<StoredRow> rows = s.rows();
+  const std::vector<StoredRow> half(rows.begin(),
+                                    rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
+  const StudyFile again =
+      largest_with_parts(folder, "constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']");
+  CHECK(Search(again, 5).json() == s.json());
+  CHECK(Search(again, 2, half).json() == s.json());
+}
+
+TEST_CASE("a column of parts that the search changes is refused", "[studies][robust]") {
+  const ScratchFolder folder;
+  const char* yield = "constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']";
+  CHECK_THROWS_WITH(make_search(largest_with_parts(folder, yield, "preload [N]")),
+                    Catch::Contains("study.variables.preload: has a column in study.parts too"));
+  CHECK_THROWS_WITH(
+      make_search(
+          largest_with_parts(folder, std::string("tolerances: {kinetic_friction: 3 %}, ") + yield)),
+      Catch::Contains("study.tolerances.kinetic_friction: has a column in study.parts too"));
+  CHECK_THROWS_WITH(make_search(largest_with_parts(folder, yield, "lot")),
+                    Catch::Contains("no column is a parameter"));
+  CHECK_THROWS_WITH(largest_with_parts(folder, "constraints: [holding_torque <= 1 N.m]"),
+                    Catch::Contains("measured parts without a statistic"));
+}
+
+TEST_CASE("a front keeps its yield over measured parts", "[studies][robust]") {
+  const ScratchFolder folder;
+  largest_with_parts(
+      folder, "constraints: ['yield >= 75 %', holding_torque <= 1 N.m]");  // writes the table
+  const std::string path = folder.path("front.yaml");
+  std::ofstream(path)
+      << "twum: 1\nmotor: " << motor_path("ring-60")
+      << "\nset: {static_friction: 0.2}\nstudy: {kind: pareto, variables: {preload: {min: 60 "
+         "N, max: 300 N}}, objectives: [{maximize: preload}, {minimize: max_pressure}], "
+         "points: 3, parts: parts.csv, constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']}\n";
+  const Search s(read_study_file(path));
+  const auto& front = std::get<ParetoResult>(s.answer.answer).front;
+  REQUIRE(!front.empty());
+  double most = 0;
+  for (const auto& point : front) {
+    most = std::max(most, value(point.report.design, "preload"));
+    CHECK(point.yields[0].share.value >= 0.75);
+  }
+  CHECK(most == Approx(preload_with(0.215)).epsilon(1e-6));
+}
+
 TEST_CASE("summary and terminal show the yield, its price and where the risk goes",
           "[studies][robust]") {
   const Search s(largest_preload());

@@ -36,7 +36,15 @@ Centres::Centres(const RobustProblem& problem, const RobustTerms& terms, std::sp
       taken_(std::move(taken)),
       worst_(std::move(worst)) {
   for (std::size_t j = 0; j < points_.size(); ++j)
-    if (taken_[j]) centres_.push_back(points_[j].at.z);
+    if (taken_[j]) centres_.push_back(drawn_about(points_[j].at.z));
+}
+
+// Measured rows are drawn as often as they occur, about every centre.
+std::vector<double> Centres::drawn_about(std::vector<double> z) const {
+  const std::size_t measured = problem_.measured.columns();
+  std::fill(z.end() - static_cast<std::ptrdiff_t>(measured), z.end(), 0.0);
+  z.resize(drawn_numbers(problem_), 0.0);
+  return z;
 }
 
 void Centres::add(const std::vector<double>& z) {
@@ -92,7 +100,7 @@ ImportanceSample Centres::sample(const SamplePlan& plan) {
   ImportanceSample sample;
   for (int draw = 0; draw < kMostDraws; ++draw) {
     sample = draw_importance(problem_, terms_, x_, centres_, plan);
-    if (!add_missing(sample)) break;
+    if (!problem_.measured.empty() || !add_missing(sample)) break;
   }
   return sample;
 }

@@ -27,7 +27,8 @@ class Centres {
   /// One more centre, unless there is one in this direction.
   void add(const std::vector<double>& z);
 
-  /// Draws a sample. If failing products lie away from every centre, adds a centre there and draws again.
+  /// Draws a sample. If failing products lie away from every centre, adds a centre there and draws again; not with measured
+  /// rows, of which a failing one lies nowhere.
   ImportanceSample sample(const SamplePlan& plan);
   /// Draws a sample about the centres as they are. Only such samples give an unbiased risk: one that is drawn again where it
   /// shows a new way to fail, and kept where it misses it, is one-sided.
@@ -45,6 +46,7 @@ class Centres {
     std::optional<std::size_t> term;
   };
 
+  std::vector<double> drawn_about(std::vector<double> z) const;
   bool near(std::span<const double> z, double cosine) const;
   std::optional<Missed> lightest_missed(const ImportanceSample& sample) const;
   bool add_missing(const ImportanceSample& sample);

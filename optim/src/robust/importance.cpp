@@ -67,7 +67,7 @@ double drawn_weight(std::span<const double> z, const NormalPoints& centres) {
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
                                  std::span<const double> x, const NormalPoints& centres,
                                  const SamplePlan& plan) {
-  const ScrambledSobol sobol(problem.inputs.size() + 1, plan.seed, plan.replicate);
+  const ScrambledSobol sobol(drawn_numbers(problem) + 1, plan.seed, plan.replicate);
   const auto count = static_cast<double>(plan.products);
   struct Product {
     std::vector<double> z;
@@ -153,6 +153,20 @@ double weighted_quantile(const ImportanceSample& sample, std::size_t term, doubl
   }
   const double slope = stt > 0.0 ? stg / stt : 0.0;
   return sg / n + slope * (-beta - st / n);
+}
+
+double weighted_spread(const ImportanceSample& sample, std::size_t term) {
+  double weights = 0.0, sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < sample.weights.size(); ++i) {
+    const double margin = sample.margins[i][term];
+    if (!std::isfinite(margin)) continue;
+    weights += sample.weights[i];
+    sum += sample.weights[i] * margin;
+    squares += sample.weights[i] * margin * margin;
+  }
+  if (!(weights > 0.0)) return 0.0;
+  const double mean = sum / weights;
+  return std::sqrt(std::max(0.0, squares / weights - mean * mean));
 }
 
 }  // namespace twum::optim

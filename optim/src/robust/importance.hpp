@@ -55,5 +55,7 @@ SampledRisk sampled_risk(const ImportanceSample& sample, std::span<const std::si
 /// Q_j of U4.4: the value below which a term's margin lies with the given probability, by a line through 40
 /// neighbours. NaN if too few products have an answer.
 double weighted_quantile(const ImportanceSample& sample, std::size_t term, double beta);
+/// Standard deviation of a term's margin over the products with an answer.
+double weighted_spread(const ImportanceSample& sample, std::size_t term);
 
 }  // namespace twum::optim

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {
@@ -17,7 +18,30 @@ std::vector<std::size_t> places(const RobustProblem& problem) {
   return list;
 }
 
+// The measured inputs of a product that is drawn, from the first one on.
+struct DrawnRow {
+  std::size_t first;
+  std::span<const double> values;
+
+  bool has(std::size_t input) const { return input >= first; }
+  double of(std::size_t input) const { return values[input - first]; }
+};
+
+DrawnRow drawn_row(const RobustProblem& problem, std::span<const double> z) {
+  const std::size_t inputs = problem.inputs.size();
+  if (z.size() <= inputs) return {inputs, {}};
+  return {inputs - problem.measured.columns(), problem.measured.draw(normal_cdf(z.back()))};
+}
+
 }  // namespace
+
+std::size_t drawn_numbers(const RobustProblem& problem) {
+  return problem.inputs.size() + (problem.measured.empty() ? 0 : 1);
+}
+
+std::span<const double> input_numbers(const RobustProblem& problem, std::span<const double> z) {
+  return z.first(problem.inputs.size());
+}
 
 double norm(std::span<const double> v) { return std::sqrt(dot(v, v)); }
 
@@ -41,10 +65,12 @@ double design_value(const RobustProblem& problem, std::span<const double> x, std
 std::vector<double> build(const RobustProblem& problem, std::span<const double> x,
                           std::span<const double> z) {
   std::vector<double> built(x.begin(), x.end());
-  const std::vector<double> y = problem.correlation.correlated({z.begin(), z.end()});
+  const auto numbers = input_numbers(problem, z);
+  const std::vector<double> y = problem.correlation.correlated({numbers.begin(), numbers.end()});
+  const DrawnRow row = drawn_row(problem, z);
   for (std::size_t k = 0; k < problem.inputs.size(); ++k) {
     const RandomInput& input = problem.inputs[k];
-    const double value = input.at(design_value(problem, x, k), y[k]).value;
+    const double value = row.has(k) ? row.of(k) : input.at(design_value(problem, x, k), y[k]).value;
     if (input.variable)
       built[*input.variable] = value;
     else
@@ -70,9 +96,12 @@ MarginPoint margin_at(const RobustProblem& problem, const Margin& margin, std::s
   point.by_design.assign(answer.jacobian.begin(),
                          answer.jacobian.begin() + static_cast<std::ptrdiff_t>(x.size()));
   const auto place = places(problem);
-  const std::vector<double> y = problem.correlation.correlated(point.z);
+  const auto numbers = input_numbers(problem, point.z);
+  const std::vector<double> y = problem.correlation.correlated({numbers.begin(), numbers.end()});
+  const DrawnRow row = drawn_row(problem, point.z);
   for (std::size_t k = 0; k < problem.inputs.size(); ++k) {
-    const BuiltValue built = problem.inputs[k].at(design_value(problem, x, k), y[k]);
+    const BuiltValue built = row.has(k) ? BuiltValue{row.of(k)}
+                                        : problem.inputs[k].at(design_value(problem, x, k), y[k]);
     const double slope = answer.jacobian[place[k]];
     point.by_input.push_back(slope);
     point.by_normal.push_back(slope * built.by_normal);

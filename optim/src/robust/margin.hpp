@@ -27,7 +27,13 @@ struct MarginPoint {
   std::string failure;            ///< if not empty, the other members are not valid
 };
 
-/// The built product of a design x and normal numbers z: x followed by the inputs that are not variables, scattered.
+/// How many normal numbers make a product that is drawn: one for each input, and one that selects the measured row.
+std::size_t drawn_numbers(const RobustProblem& problem);
+/// The normal numbers of the inputs.
+std::span<const double> input_numbers(const RobustProblem& problem, std::span<const double> z);
+
+/// The built product of a design x and normal numbers z: x followed by the inputs that are not variables, scattered. With
+/// drawn_numbers() of them, the measured inputs have the values of a row, else those of their law.
 std::vector<double> build(const RobustProblem& problem, std::span<const double> x,
                           std::span<const double> z);
 

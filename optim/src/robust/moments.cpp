@@ -28,7 +28,7 @@ std::vector<MarginPoint> responses(const RobustProblem& problem, std::size_t res
 }  // namespace
 
 std::vector<std::vector<double>> moment_sample(const RobustProblem& problem, std::uint64_t seed) {
-  const ScrambledSobol sobol(problem.inputs.size(), seed, kMomentReplicate);
+  const ScrambledSobol sobol(drawn_numbers(problem), seed, kMomentReplicate);
   std::vector<std::vector<double>> sample;
   std::vector<double> u(sobol.dimension());
   for (std::uint64_t i = 0; i < kMomentProducts; ++i) {

@@ -355,6 +355,12 @@ bool RobustSearch::risks_bind(const SolvedRound& solved) const {
       });
 }
 
+// U4.4a: a measured row is a share of the products. At a margin of exactly 0 rounding would decide whether all of them fail.
+double RobustSearch::clearance(const ImportanceSample& sample, std::size_t term) const {
+  constexpr double kClear = 1e-6;
+  return problem_.measured.empty() ? 0.0 : kClear * weighted_spread(sample, term);
+}
+
 // U4.4
 Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan& plan) {
   const RobustRound& round = *solved.round;
@@ -367,7 +373,8 @@ Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan&
     if (!centres.holds(j)) continue;
     next.directions[j] = centres.points()[j].direction;
     const double quantile = weighted_quantile(sample, j, beta[j]);
-    if (std::isfinite(quantile)) next.delta[j] = quantile - centres.points()[j].at.value;
+    if (std::isfinite(quantile))
+      next.delta[j] = quantile - clearance(sample, j) - centres.points()[j].at.value;
   }
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s) {
     const auto& members = terms_.of_target[s];

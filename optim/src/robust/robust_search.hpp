@@ -92,6 +92,7 @@ class RobustSearch {
 
  private:
   std::vector<std::vector<double>> starts() const;
+  double clearance(const ImportanceSample& sample, std::size_t term) const;
   Centres centres(const SolvedRound& solved) const;
   Result search(const Problem& problem, std::uint64_t number, std::span<const double> y,
                 const std::string& solver, std::uint64_t stage);

@@ -10,9 +10,14 @@ void validate_robust(const RobustProblem& problem) {
   if (problem.inputs.empty())
     throw InputError("a robust problem has at least one input that scatters");
   for (const RandomInput& input : problem.inputs) {
+    if (input.law == Law::given) continue;
     if (!(input.spread > 0.0) && !(input.law == Law::triangular && input.above > 0.0))
       throw InputError(input.name + ": its spread must be more than 0");
   }
+  const MeasuredRows& measured = problem.measured;
+  if (measured.columns() > problem.inputs.size() ||
+      (!measured.empty() && !(measured.sum_of_weights() > 0.0)))
+    throw InputError("measured rows have a weight, and a column for each of the last inputs");
   if (problem.goals.empty()) throw InputError("a robust problem has a goal");
   for (const RobustObjective& goal : problem.goals) {
     if (goal.kind == RobustGoal::nominal && goal.index >= problem.design.objectives.size())

@@ -50,8 +50,8 @@ class TighterYields {
       : problem_(problem), sums_(problem.inputs.size()), squares_(problem.inputs.size()) {}
 
   void see_failing(std::span<const double> z) {
-    const std::vector<double> squares = problem_.correlation.parts(z);
-    for (std::size_t k = 0; k < z.size(); ++k) {
+    const std::vector<double> squares = problem_.correlation.parts(input_numbers(problem_, z));
+    for (std::size_t k = 0; k < squares.size(); ++k) {
       const double score = 0.01 * (squares[k] - 1.0);
       sums_[k] += score;
       squares_[k] += score * score;
@@ -122,7 +122,7 @@ class CountedProducts {
 
  private:
   std::vector<double> normals(std::uint64_t index) const {
-    return fresh_normals(plan_.seed, run_, index, problem_.inputs.size());
+    return fresh_normals(plan_.seed, run_, index, drawn_numbers(problem_));
   }
 
   void count(const Evaluation& answer) {

@@ -75,15 +75,18 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
                       const std::vector<StatisticLimit>& statistics, const Given& given,
                       Diagnostics& diagnostics) {
   const YamlNode* spread = given.find("tolerances");
+  const YamlNode* parts = given.find("parts");
   std::string path;
   const YamlNode* limit = first_statistic(given, path);
-  if (limit != nullptr && spread == nullptr)
+  if (limit != nullptr && spread == nullptr && parts == nullptr)
     diagnostics.add(limit->mark, path, quoted(limit->scalar) + " needs tolerances",
                     "add them to the study, such as 'tolerances: {preload: 3 %}'");
-  if (spread == nullptr) return;
+  if (spread == nullptr && parts == nullptr) return;
   if (limit == nullptr && statistics.empty())
-    diagnostics.add(spread->mark, given.path("tolerances"), "tolerances without a statistic",
-                    "add one to the limits, such as 'yield >= 99 %', or make one the goal");
+    diagnostics.add(
+        (spread ? spread : parts)->mark, given.path(spread ? "tolerances" : "parts"),
+        spread ? "tolerances without a statistic" : "measured parts without a statistic",
+        "add one to the limits, such as 'yield >= 99 %', or make one the goal");
   for (const auto& [place, goal] : goals_of(given))
     for (const StatisticLimit& one : statistics)
       if (one.statistic.unit() == "1" && trimmed(goal->scalar) == one.statistic.text)

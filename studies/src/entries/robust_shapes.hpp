@@ -56,6 +56,17 @@ Field<S> correlations_field() {
   return hidden(optional<S>("correlations", correlations(), &S::correlations, "none"));
 }
 
+/// The entry `parts` of a study S, a table of measured parts.
+template <typename S>
+Field<S> parts_field() {
+  return hidden(optional<S>(
+      "parts",
+      path("table of measured parts: one row for each part, one column for each measured "
+           "parameter, and optionally 'weight'; each motor takes one whole row",
+           "parts.csv"),
+      &S::parts, "none"));
+}
+
 /// Adds errors for tolerances that a search cannot use, for statistics without tolerances, and for tolerances without
 /// statistics.
 void check_statistics(const std::vector<Tolerance>& tolerances,

@@ -64,7 +64,7 @@ bool check_robust_search(T& study, const Given& given, Diagnostics& diagnostics)
 
 // A front under tolerances needs gradients, so integer variables and choices are not possible.
 void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
-  if (study.tolerances.empty()) return;
+  if (study.tolerances.empty() && study.parts.empty()) return;
   if (study.solver.solver == kNsga2)
     diagnostics.add(given.find("solver")->mark, given.path("solver"),
                     quoted(kNsga2) + " together with tolerances",
@@ -215,6 +215,7 @@ Shape<OptimizeStudy> OptimizeStudy::shape() {
   fields.push_back(limits_field("constraints", &S::constraints));
   fields.push_back(tolerances_field<S>());
   fields.push_back(correlations_field<S>());
+  fields.push_back(parts_field<S>());
   fields.push_back(solver_field<S>());
   fields.push_back(start_field<S>());
   return mapping<S>("best design under constraints", fields, check_robust_search<S>);
@@ -224,14 +225,14 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   using S = ParetoStudy;
   auto objectives = list("two or three objectives", objective(), 2, 3);
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
-  return mapping<S>(
-      "trade-off front of two or three metrics",
-      {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       choose_field<S>(), required<S>("objectives", objectives, &S::objectives),
-       limits_field("constraints", &S::constraints), tolerances_field<S>(), correlations_field<S>(),
-       standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
-       solver_field<S>(), start_field<S>()},
-      check_front);
+  return mapping<S>("trade-off front of two or three metrics",
+                    {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
+                     choose_field<S>(), required<S>("objectives", objectives, &S::objectives),
+                     limits_field("constraints", &S::constraints), tolerances_field<S>(),
+                     correlations_field<S>(), parts_field<S>(),
+                     standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
+                     solver_field<S>(), start_field<S>()},
+                    check_front);
 }
 
 // At rest friction holds a load without a wave, and no drive follows.
@@ -261,6 +262,7 @@ Shape<SizeStudy> SizeStudy::shape() {
                                    {DutyDrive::fixed, DutyDrive::follows}),
                    &S::drive),
        limits_field("limits", &S::limits), tolerances_field<S>(), correlations_field<S>(),
+       parts_field<S>(),
        standard<S>("prefer",
                    wanted("metric that is minimized among the motors that reach the duty", false,
                           "max_pressure"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "entries/repeats.hpp"
+#include "entries/robust_shapes.hpp"
 #include "entries/tolerance_shape.hpp"
 
 #include <twum/core/parameters.hpp>
@@ -76,13 +77,7 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
        optional<S>("variables", tolerances("what is uncertain"), &S::variables,
                    "none; only the parts scatter"),
        hidden(optional<S>("correlations", shapes::correlations(), &S::correlations, "none")),
-       hidden(optional<S>(
-           "parts",
-           path("table of measured parts: one row for each part, one column for each measured "
-                "parameter, and optionally 'weight'; each motor takes one whole row",
-                "parts.csv"),
-           &S::parts, "none")),
-       derived_field<S>(),
+       parts_field<S>(), derived_field<S>(),
        hidden(standard<S>(
            "method",
            word<DrawMethod>(

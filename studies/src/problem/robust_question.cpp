@@ -74,6 +74,7 @@ std::vector<DesignVariable> built_variables(const RobustQuestion& question) {
   for (const Tolerance& tolerance : question.tolerances)
     if (std::find(varied.begin(), varied.end(), tolerance.parameter) == varied.end())
       list.push_back({tolerance.parameter});
+  for (const Parameter parameter : question.parts.parameters) list.push_back({parameter});
   for (DesignVariable& variable : list) {
     variable.min = info(variable.parameter).min;
     variable.max = info(variable.parameter).max;
@@ -131,10 +132,7 @@ class RobustBuilder {
   optim::RobustProblem build() {
     optim::RobustProblem problem;
     problem.design = design();
-    for (const Tolerance& tolerance : question_.tolerances)
-      problem.inputs.push_back(input_of(question_, tolerance));
-    problem.correlation = {problem.inputs.size(),
-                           correlated_pairs(question_.tolerances, question_.correlations)};
+    add_inputs(problem);
     for (const StatisticRequest* statistic : statistics_of(question_)) ask(*statistic);
     const auto motors = std::make_shared<const BuiltMotors>(asked_);
     for (const MotorLimit& limit : asked_.limits)
@@ -148,6 +146,23 @@ class RobustBuilder {
   }
 
  private:
+  // The tolerances, and behind them the measured parts.
+  void add_inputs(optim::RobustProblem& problem) const {
+    for (const Tolerance& tolerance : question_.tolerances)
+      problem.inputs.push_back(input_of(question_, tolerance));
+    std::vector<optim::CorrelatedPair> pairs =
+        correlated_pairs(question_.tolerances, question_.correlations);
+    const auto& [parameters, rows] = question_.parts;
+    for (const optim::CorrelatedPair& pair : measured_pairs(rows, problem.inputs.size()))
+      pairs.push_back(pair);
+    for (std::size_t column = 0; column < parameters.size(); ++column)
+      problem.inputs.push_back(measured_input(rows, column,
+                                              std::string(info(parameters[column]).name),
+                                              get(question_.design.motor, parameters[column])));
+    problem.correlation = {problem.inputs.size(), pairs};
+    problem.measured = rows;
+  }
+
   // Objectives and limits of the design itself.
   optim::Problem design() const {
     DesignProblem own = question_.design;

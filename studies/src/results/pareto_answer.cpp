@@ -26,6 +26,7 @@ Json answer_json(const ParetoResult& result) {
     json["front"].push_back(report_json(point.report));
     if (!point.yields.empty()) json["front"].back()["yields"] = yields_json(point.yields);
   }
+  if (!result.parts.empty()) json["parts"] = {{"file", result.parts}, {"count", result.part_count}};
   if (result.largest_yield) json["largest_yield"] = robust_yield_json(*result.largest_yield);
   json["knee"] = result.has_knee() ? Json(result.knee) : Json(nullptr);
   json["ends"] = result.ends;

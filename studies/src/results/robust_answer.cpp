@@ -59,6 +59,7 @@ bool is_share(const Goal& goal) {
 
 Json robust_json(const RobustReport& report) {
   Json json{{"target", nullptr}, {"yield", nullptr}};
+  if (!report.parts.empty()) json["parts"] = {{"file", report.parts}, {"count", report.part_count}};
   if (!report.yields.empty()) {
     json["target"] = number_json(report.yields.front().target);
     json["yield"] = robust_yield_json(report.yields.front());

@@ -97,6 +97,8 @@ Section along(const ParetoResult& answer) {
   section.hook = "along";
   const std::string of = " of " + counted(answer.front.size(), "point");
   add_yields(section.remarks, answer, of);
+  for (Phrase& phrase : parts_sentence(answer.parts, answer.part_count))
+    section.remarks.push_back(std::move(phrase));
   add_choices(section.remarks, answer, of);
   add_binding(section.remarks, answer, of);
   return section;

@@ -68,6 +68,8 @@ Section against_nominal(const RobustReport& report, const Goal& goal) {
     section.sentences.push_back(statistic_phrase(one));
   if (std::isfinite(report.nominal_objective))
     section.sentences.push_back(price_phrase(report, goal));
+  for (const Phrase& phrase : parts_sentence(report.parts, report.part_count))
+    section.sentences.push_back(phrase);
   for (const Phrase& phrase : lost_phrase(report)) section.sentences.push_back(phrase);
   return section;
 }
@@ -279,6 +281,12 @@ Phrase yield_phrase(const RobustYield& yield) {
   if (std::isfinite(yield.target))
     append(phrase, {verdict_words(yield.verdict), share_part(yield.target), "."});
   return phrase;
+}
+
+std::vector<Phrase> parts_sentence(const std::string& table, std::uint64_t count) {
+  if (table.empty()) return {};
+  return {{"Each motor is one of the " + counted(count, "measured part") + " in " + quoted(table) +
+           "."}};
 }
 
 Phrase robust_sentence(const RobustReport& report) {

@@ -76,9 +76,8 @@ std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
   for (const UncertaintyResult::Metric& metric : answer.metrics)
     if (const std::uint64_t missing = answer.samples - metric.count; missing > 0)
       list.push_back(missing_phrase(metric, missing));
-  if (!answer.parts.empty())
-    list.push_back({"Each motor is one of the " + counted(answer.part_count, "measured part") +
-                    " in " + quoted(answer.parts) + "."});
+  for (Phrase& phrase : parts_sentence(answer.parts, answer.part_count))
+    list.push_back(std::move(phrase));
   for (const UncertaintyResult::Inadmissible& one : answer.inadmissible)
     list.push_back({share_part(one.share), " of the distribution of ", name_part(one.variable),
                     " lies outside the permitted range of the parameter; such motors have no value "

@@ -73,6 +73,8 @@ std::vector<Section> moves_sections(
 
 /// How many of the motors keep the limits, or that the wanted share cannot be reached.
 Phrase yield_phrase(const RobustYield& yield);
+/// From which table of measured parts the motors are; empty if there is none.
+std::vector<Phrase> parts_sentence(const std::string& table, std::uint64_t count);
 /// The sentence of a headline: the first yield, or the largest where the wanted one cannot be reached.
 Phrase robust_sentence(const RobustReport& report);
 /// What tolerances do to a search.

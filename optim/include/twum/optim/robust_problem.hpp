@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/correlation.hpp>
+#include <twum/optim/measured_rows.hpp>
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random_input.hpp>
 
@@ -63,6 +64,9 @@ struct RobustProblem {
       design{};  ///< variables, objectives of nominal goals, and constraints on the design itself
   std::vector<RandomInput> inputs{};  ///< inputs that scatter
   Correlation correlation{};          ///< of their normal numbers
+  /// Values of the last inputs, one column for each. Products that are drawn take a whole row; the search itself sees the law
+  /// and the correlations of these inputs (measured_input(), measured_pairs()). Empty: none was measured.
+  MeasuredRows measured{};
   std::vector<RandomLimit> limits{};  ///< responses of the built products, in order
   BuiltEvaluator built{};             ///< evaluates these responses
   std::vector<YieldTarget> yields{};  ///< each with its own limits

@@ -35,6 +35,8 @@ struct ParetoResult {
   std::vector<NamedValue> before_metrics;
   Explanation explanation;                     ///< why no design meets all limits
   std::optional<RobustYield> largest_yield{};  ///< if no design has the wanted yield
+  std::string parts{};                         ///< name of the table of measured parts; empty: none
+  std::uint64_t part_count{0};                 ///< how many there are
 
   /// False if the front bends the other way or is empty.
   bool has_knee() const;

@@ -10,6 +10,12 @@
 
 namespace twum::studies {
 
+/// Parts that were measured: rows of values of parameters, one column for each. Every built motor has the values of one row.
+struct MeasuredParts {
+  std::vector<Parameter> parameters{};  ///< none of them a variable or a parameter of a tolerance
+  optim::MeasuredRows rows{};           ///< SI
+};
+
 /// A design question about the motors built to a design, which scatter within tolerances.
 ///
 ///     RobustQuestion question{{motor}};
@@ -26,6 +32,7 @@ struct RobustQuestion {
   std::vector<Tolerance> tolerances{};               ///< parameters that scatter
   std::vector<StatisticLimit> statistics{};          ///< limits on the built motors
   std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances; others are independent
+  MeasuredParts parts{};                             ///< beside the tolerances; may be empty
 };
 
 /// Why a tolerance cannot be used in a search, if it cannot.

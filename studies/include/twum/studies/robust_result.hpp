@@ -72,6 +72,8 @@ struct RobustDensity {
 
 /// Results of `optimize` and `size` for built motors.
 struct RobustReport {
+  std::string parts{};              ///< name of the table of measured parts; empty: none
+  std::uint64_t part_count{0};      ///< how many there are
   std::vector<RobustYield> yields;  ///< one for each wanted yield
   /// means, standard deviations and quantiles with a limit or as a goal
   std::vector<RobustStatistic> statistics;

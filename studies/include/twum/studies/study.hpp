@@ -305,8 +305,10 @@ struct OptimizeStudy {
   std::vector<Tolerance> tolerances{};       ///< tolerances of built motors; may be empty
   std::vector<StatisticLimit> statistics{};  ///< limits on the built motors
   std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
-  optim::SolveOptions solver{};                      ///< observer, threads and stop are the run's
-  std::string start{};  ///< result directory to start from; empty: the motor
+  /// table of measured parts, as in UncertaintyStudy; empty: none
+  std::string parts{};
+  optim::SolveOptions solver{};  ///< observer, threads and stop are the run's
+  std::string start{};           ///< result directory to start from; empty: the motor
 };
 
 /// The trade-off front of two or three metrics.
@@ -331,8 +333,10 @@ struct ParetoStudy {
   std::vector<Tolerance> tolerances{};        ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics{};   ///< as in OptimizeStudy
   std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
-  std::uint64_t points{50};                          ///< of the front
-  optim::SolveOptions solver{standard_solver()};     ///< as in OptimizeStudy
+  /// table of measured parts, as in UncertaintyStudy; empty: none
+  std::string parts{};
+  std::uint64_t points{50};                       ///< of the front
+  optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
   std::string start{};  ///< result directory to start from; empty: the motor
 };
 
@@ -352,6 +356,8 @@ struct SizeStudy {
   std::vector<Tolerance> tolerances{};       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics{};  ///< as in OptimizeStudy
   std::vector<ToleranceCorrelation> correlations{};  ///< of the tolerances
+  /// table of measured parts, as in UncertaintyStudy; empty: none
+  std::string parts{};
   /// objective among the motors that can do the duty
   DesignObjective prefer{parse_metric("max_pressure")};
   optim::SolveOptions solver{};  ///< as in OptimizeStudy

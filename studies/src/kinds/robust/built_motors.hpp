@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/rows/executor.hpp"
+#include "kinds/sample/measured_parts.hpp"
 
 #include <twum/studies/robust_question.hpp>
 
@@ -13,6 +14,38 @@
 #include <vector>
 
 namespace twum::studies {
+
+/// How the built motors of a search scatter, and the limits on their statistics; empty if every motor equals the design.
+struct BuiltMotorsAsked {
+  std::vector<Tolerance> tolerances{};
+  std::vector<StatisticLimit> statistics{};
+  std::vector<ToleranceCorrelation> correlations{};
+  PartsTable table{};
+
+  bool scatter() const { return !tolerances.empty() || !table.parts.rows.empty(); }
+  /// The question about the motors built to a design.
+  RobustQuestion question(DesignProblem design) const {
+    return {std::move(design), tolerances, statistics, correlations, table.parts};
+  }
+};
+
+/// @throws InputError for a table of parts that cannot be read, or that has a column for what the search changes
+template <typename S>
+BuiltMotorsAsked built_motors_asked(const S& asked, const StudyFile& file) {
+  BuiltMotorsAsked built{asked.tolerances, asked.statistics, asked.correlations,
+                         read_parts(asked.parts, file.folder, file.motor.design)};
+  const auto apart = [&](const auto& list, const char* entry) {
+    for (const auto& one : list) check_apart(built.table, one.parameter, entry);
+  };
+  apart(asked.variables, "variables");
+  apart(asked.tolerances, "tolerances");
+  apart(asked.derived, "derived");
+  for (const DesignChoice& choice : asked.choose)
+    for (const ParameterSet& set : choice.sets)
+      for (const auto& [parameter, value] : set.values)
+        check_apart(built.table, parameter, "choose");
+  return built;
+}
 
 /// Identifies a robust question of a study: the integers and sets of a design make it.
 struct BuiltQuestion {

@@ -69,7 +69,7 @@ std::vector<RobustTolerance> tolerances_of(const RobustQuestion& question,
                                            const optim::RobustProblem& posed,
                                            const optim::RobustResult& found) {
   std::vector<RobustTolerance> list;
-  for (std::size_t k = 0; k < posed.inputs.size(); ++k) {
+  for (std::size_t k = 0; k < question.tolerances.size(); ++k) {
     const optim::RandomInput& input = posed.inputs[k];
     const std::string unit(info(question.tolerances[k].parameter).unit);
     RobustTolerance tolerance{input.name, input.relative ? "%" : unit,

@@ -5,7 +5,6 @@
 #include "kinds/sample/found_motors.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/io/words.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -56,21 +55,17 @@ EarlierDesign start_design(const StudyFile& file, const std::string& start) {
   return designs.front();
 }
 
-MeasuredParts measured_parts(const StudyFile& file, const UncertaintyStudy& asked,
-                             const MotorDesign& design) {
-  if (asked.parts.empty()) return {};
-  MeasuredParts parts((std::filesystem::path(file.folder) / asked.parts).string(), design);
-  for (const Tolerance& one : asked.variables)
-    if (std::ranges::find(parts.parameters(), one.parameter) != parts.parameters().end())
-      throw InputError("study.variables." + std::string(info(one.parameter).name) +
-                       ": has a column in study.parts too; leave one of them out");
-  return parts;
+PartsTable measured_parts(const StudyFile& file, const UncertaintyStudy& asked,
+                          const MotorDesign& design) {
+  PartsTable table = read_parts(asked.parts, file.folder, design);
+  for (const Tolerance& one : asked.variables) check_apart(table, one.parameter, "variables");
+  return table;
 }
 
 std::vector<Parameter> drawn_parameters(const std::vector<DrawnVariable>& variables,
                                         const MeasuredParts& parts) {
   std::vector<Parameter> list = parameters_of(variables);
-  list.insert(list.end(), parts.parameters().begin(), parts.parameters().end());
+  list.insert(list.end(), parts.parameters.begin(), parts.parameters.end());
   return list;
 }
 
@@ -107,29 +102,23 @@ DrawnMotors::DrawnMotors(const UncertaintyStudy& asked, const StudyFile& file)
       tolerances_(asked.variables),
       variables_(drawn_variables(asked.variables, design_)),
       correlation_(asked.variables.size(), correlated_pairs(asked.variables, asked.correlations)),
-      parts_(measured_parts(file, asked, design_)),
-      parts_name_(last_name(asked.parts)),
+      table_(measured_parts(file, asked, design_)),
       metrics_(with_derived(asked.metrics, asked.derived)),
       limits_(place_limits(asked.limits, metrics_)),
-      varied_(design_, drawn_parameters(variables_, parts_), asked.derived),
+      varied_(design_, drawn_parameters(variables_, table_.parts), asked.derived),
       evaluator_(varied_, metrics_),
       seed_(asked.seed),
       start_name_(last_name(asked.start)),
       nominal_(nominal_parameters(asked, start_)) {}
 
 std::vector<std::string> DrawnMotors::notes() const {
-  std::vector<std::string> notes = shapes::tolerance_notes(tolerances_, design_);
-  if (!parts_.kind().empty()) notes.push_back(parts_name_ + " is read as: " + parts_.kind());
-  for (const std::string& name : parts_.unused())
-    notes.push_back("column " + quoted(name) + " of " + quoted(parts_name_) +
-                    " is no parameter and is not used");
-  return notes;
+  return table_.notes_after(shapes::tolerance_notes(tolerances_, design_));
 }
 
 UncertaintyResult DrawnMotors::frame() const {
   UncertaintyResult result;
-  result.parts = parts_name_;
-  result.part_count = parts_.size();
+  result.parts = table_.name;
+  result.part_count = table_.parts.rows.size();
   result.confidence = kConfidence;
   result.start = start_name_;
   for (const Parameter parameter : nominal_)
@@ -175,7 +164,7 @@ void DrawnMotors::count(Broken& broken, std::uint64_t index, double weight, cons
 
 // Measured parts are drawn whole and have no normal numbers: what fails because of them is not known.
 void DrawnMotors::tell_causes(const Broken& broken, UncertaintyResult& result) const {
-  if (parts_.size() > 0) return;
+  if (!table_.parts.rows.empty()) return;
   for (std::size_t i = 0; i < limits_.size(); ++i)
     result.limits[i].causes = known_causes(broken.of_limit[i], kConfidence);
   result.causes = known_causes(broken.any, kConfidence);

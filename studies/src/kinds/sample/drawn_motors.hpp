@@ -70,8 +70,7 @@ class DrawnMotors : public StudyKindRun {
   std::vector<Tolerance> tolerances_;
   std::vector<DrawnVariable> variables_;
   optim::Correlation correlation_;
-  MeasuredParts parts_;
-  std::string parts_name_;
+  PartsTable table_;
   std::vector<MetricExpression> metrics_;
   std::vector<LimitPlace> limits_;
   VariedParameters varied_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample/measured_parts.hpp"
 
+#include <twum/core/parameters.hpp>
 #include <twum/io/csv.hpp>
 #include <twum/io/number.hpp>
 #include <twum/io/plain_table.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -25,43 +27,61 @@ double weight_of(const DesignTable::Scratch& row, std::size_t column, const std:
   throw InputError(place + "weight: " + quoted(cell) + "; expected a number, 0 or more");
 }
 
-}  // namespace
-
-MeasuredParts::MeasuredParts(const std::string& path, const MotorDesign& base) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) throw InputError("study.parts: " + quoted(path) + " cannot be read");
-  PlainStream plain = plain_stream(path, bytes_of(file.get(), path), is_parameter_heading);
-  kind_ = plain.kind;
-  CsvReader reader(path, std::move(plain.bytes));
-  CsvChunk chunk;
-  if (!reader.read(chunk, 1))
-    throw InputError(path + ": is empty; expected a heading, and a line for each part");
-  const DesignTable table(reader, chunk, base, {});
-  parameters_ = table.parameters();
+// The rows of the table below its heading.
+optim::MeasuredRows rows_of(const DesignTable& table, CsvReader& reader, const std::string& path) {
   const auto weight = table.column_named(kWeight);
-  unused_ = table.copied();
-  if (std::erase(unused_, kWeight) > 1)
-    throw InputError(path + ": the column 'weight' stands there twice; leave one of them out");
+  optim::MeasuredRows rows(table.parameters().size());
   DesignTable::Scratch row;
-  double sum = 0;
+  CsvChunk chunk;
   while (reader.read(chunk, 1000))
     for (std::size_t i = 0; i < chunk.records.size(); ++i) {
       const std::string place = path + ":" + std::to_string(chunk.records[i].line) + ": ";
       if (!table.read_row(chunk.record(i), row)) throw InputError(place + row.reason);
-      for (const ParameterValue& one : row.values) values_.push_back(one.second);
-      sum += weight ? weight_of(row, *weight, place) : 1;
-      sums_.push_back(sum);
+      std::vector<double> values;
+      for (const ParameterValue& one : row.values) values.push_back(one.second);
+      rows.add(values, weight ? weight_of(row, *weight, place) : 1);
     }
-  if (!(sum > 0) || !std::isfinite(sum))
-    throw InputError(path + ": " + (sums_.empty() ? "no part" : "no part with a weight") +
+  if (!(rows.sum_of_weights() > 0) || !std::isfinite(rows.sum_of_weights()))
+    throw InputError(path + ": " + (rows.empty() ? "no part" : "no part with a weight") +
                      "; expected a line for each part below the heading");
+  return rows;
 }
 
-std::span<const double> MeasuredParts::draw(double u) const {
-  const auto found = std::ranges::upper_bound(sums_, u * sums_.back());
-  const auto part = std::min(static_cast<std::size_t>(found - sums_.begin()), size() - 1);
-  return std::span(values_).subspan(part * parameters_.size(), parameters_.size());
+}  // namespace
+
+PartsTable read_parts(const std::string& path, const std::string& folder, const MotorDesign& base) {
+  if (path.empty()) return {};
+  const std::filesystem::path typed(path);
+  const std::string place = (std::filesystem::path(folder) / typed).string();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(place.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) throw InputError("study.parts: " + quoted(place) + " cannot be read");
+  PlainStream plain = plain_stream(place, bytes_of(file.get(), place), is_parameter_heading);
+  CsvReader reader(place, std::move(plain.bytes));
+  CsvChunk heading;
+  if (!reader.read(heading, 1))
+    throw InputError(place + ": is empty; expected a heading, and a line for each part");
+  const DesignTable table(reader, heading, base, {});
+  const std::string name = typed.filename().string();
+  PartsTable read{{table.parameters(), {}}, name, {}};
+  if (!plain.kind.empty()) read.notes.push_back(name + " is read as: " + plain.kind);
+  std::vector<std::string> unused = table.copied();
+  if (std::erase(unused, kWeight) > 1)
+    throw InputError(place + ": the column 'weight' stands there twice; leave one of them out");
+  for (const std::string& column : unused)
+    read.notes.push_back("column " + quoted(column) + " of " + quoted(name) +
+                         " is no parameter and is not used");
+  if (read.parts.parameters.empty())
+    throw InputError(place +
+                     ": no column is a parameter; expected a heading such as 'preload [N]'");
+  read.parts.rows = rows_of(table, reader, place);
+  return read;
+}
+
+void check_apart(const PartsTable& table, Parameter parameter, std::string_view entry) {
+  if (std::ranges::find(table.parts.parameters, parameter) == table.parts.parameters.end()) return;
+  throw InputError("study." + std::string(entry) + "." + std::string(info(parameter).name) +
+                   ": has a column in study.parts too; leave one of them out");
 }
 
 }  // namespace twum::studies

@@ -2,39 +2,35 @@
 #pragma once
 
 #include <twum/core/motor_design.hpp>
-#include <twum/core/parameters.hpp>
+#include <twum/studies/robust_question.hpp>
 
-#include <span>
 #include <string>
 #include <vector>
 
 namespace twum::studies {
 
-/// Parts that were measured: each is drawn whole, so that the laws and correlations of its values are those of the bench; internal.
-class MeasuredParts {
- public:
-  /// None.
-  MeasuredParts() = default;
-  /// Reads a table with a column for each parameter, as designs have them, and if need be `weight`: how often a part is drawn
-  /// compared with the others.
-  /// @throws InputError with file, line, column, what was found and what would be right
-  MeasuredParts(const std::string& path, const MotorDesign& base);
+/// A table of measured parts; internal.
+struct PartsTable {
+  MeasuredParts parts{};
+  std::string name{};  ///< of the file, without its folder; empty: there is no table
+  /// Reasons to doubt the answer: how the file was read, and columns that are neither parameters nor the weight.
+  std::vector<std::string> notes{};
 
-  const std::vector<Parameter>& parameters() const { return parameters_; }
-  std::size_t size() const { return sums_.size(); }
-  /// The values of a part, of which those with the same weight share the numbers from 0 to 1 evenly.
-  std::span<const double> draw(double u) const;
-  /// Columns that are neither parameters nor the weight.
-  const std::vector<std::string>& unused() const { return unused_; }
-  /// What the file was besides plain CSV, see PlainTable; empty: nothing.
-  const std::string& kind() const { return kind_; }
-
- private:
-  std::vector<Parameter> parameters_;
-  std::vector<double> values_;  // part by part
-  std::vector<double> sums_;    // of the weights up to each part
-  std::vector<std::string> unused_;
-  std::string kind_;
+  std::vector<std::string> notes_after(std::vector<std::string> list) const {
+    list.insert(list.end(), notes.begin(), notes.end());
+    return list;
+  }
 };
+
+/// Reads a table with a column for each parameter, as designs have them, and if need be `weight`: how often a part is drawn
+/// compared with the others.
+/// @param path    as typed in the study; empty: no table
+/// @param folder  of the study file
+/// @throws InputError with file, line, column, what was found and what would be right
+PartsTable read_parts(const std::string& path, const std::string& folder, const MotorDesign& base);
+
+/// @throws InputError if one of the parameters is a column of the table too
+/// @param entry  of the study, in which the parameter stands
+void check_apart(const PartsTable& table, Parameter parameter, std::string_view entry);
 
 }  // namespace twum::studies

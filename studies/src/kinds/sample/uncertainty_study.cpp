@@ -53,8 +53,8 @@ class UncertaintyRun : public DrawnMotors {
   void fill(std::uint64_t index, StoredRow& row) const {
     std::vector<double> design = drawn_probabilities(index);
     for (std::size_t k = 0; k < design.size(); ++k) design[k] = variables_[k].draw(design[k]);
-    if (parts_.size() > 0) {
-      const auto part = parts_.draw(optim::Random(seed_, 1, index).uniform());
+    if (!table_.parts.rows.empty()) {
+      const auto part = table_.parts.rows.draw(optim::Random(seed_, 1, index).uniform());
       design.insert(design.end(), part.begin(), part.end());
     }
     evaluator_.evaluate(design, row);

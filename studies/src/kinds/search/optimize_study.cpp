@@ -15,8 +15,7 @@ class OptimizeRun : public OptimumRun {
                     asked.constraints,
                     asked.derived,
                     asked.choose},
-                   {asked.tolerances, asked.statistics, asked.correlations}, asked.solver,
-                   asked.start) {}
+                   built_motors_asked(asked, file), asked.solver, asked.start) {}
 };
 
 }  // namespace

@@ -30,7 +30,11 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
       built_(std::move(built)),
       motors_([this](const BuiltQuestion& of) { return robust_question(of); }) {
   // Not under tolerances: a robust search has many rounds that each start from the last one.
-  if (counts_slices() && built_.tolerances.empty()) begin_with_slices(kFewSlices);
+  if (counts_slices() && !built_.scatter()) begin_with_slices(kFewSlices);
+}
+
+std::vector<std::string> OptimumRun::notes() const {
+  return built_.table.notes_after(SearchRun::notes());
 }
 
 std::optional<StoredRow> OptimumRun::recompute(const StoredRow& asked) const {
@@ -39,7 +43,7 @@ std::optional<StoredRow> OptimumRun::recompute(const StoredRow& asked) const {
 
 std::optional<optim::Certificate> OptimumRun::certify(
     std::span<const double> variables, std::span<const ParameterValue> design) const {
-  return built_.tolerances.empty() ? SearchRun::certify(variables, design) : std::nullopt;
+  return !built_.scatter() ? SearchRun::certify(variables, design) : std::nullopt;
 }
 
 OptimizeResult OptimumRun::answer(const optim::Result& found) const {
@@ -79,7 +83,7 @@ DesignProblem OptimumRun::held(std::span<const double> design) const {
 }
 
 RobustQuestion OptimumRun::question_of(std::span<const double> design) const {
-  return {held(design), built_.tolerances, built_.statistics, built_.correlations};
+  return built_.question(held(design));
 }
 
 RobustQuestion OptimumRun::robust_question(const BuiltQuestion& of) const {
@@ -152,18 +156,23 @@ KindAnswer OptimumRun::run(RunContext& context) {
   KindAnswer plain{outcome(found.outcome, context), answer(found)};
   const bool feasible =
       found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
-  if (built_.tolerances.empty() && found.outcome == optim::Outcome::optimal)
+  if (!built_.scatter() && found.outcome == optim::Outcome::optimal)
     add_moves(held(found.design), found, std::get<OptimizeResult>(plain.answer));
-  if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
+  if (!built_.scatter() || !feasible || context.stop.stop_requested()) return plain;
   std::vector<RobustCandidate> candidates;
   for (std::vector<double>& design : combinations_at(found.design))
     candidates.push_back({question_of(design), design});
   std::vector<std::vector<double>> valleys = log.valleys();
   // the first is the optimum without tolerances itself
   if (!valleys.empty()) valleys.erase(valleys.begin());
-  return robust_optimum({std::move(candidates), problem(), before(), reporter(), options(context),
-                         found, std::move(valleys)},
-                        std::get<OptimizeResult>(std::move(plain.answer)), context);
+  KindAnswer robust = robust_optimum({std::move(candidates), problem(), before(), reporter(),
+                                      options(context), found, std::move(valleys)},
+                                     std::get<OptimizeResult>(std::move(plain.answer)), context);
+  if (auto& report = std::get<OptimizeResult>(robust.answer).robust) {
+    report->parts = built_.table.name;
+    report->part_count = built_.table.parts.rows.size();
+  }
+  return robust;
 }
 
 }  // namespace twum::studies

@@ -8,17 +8,11 @@
 
 namespace twum::studies {
 
-/// Tolerances of the built motors, limits on their statistics, and what scatters together; empty without tolerances.
-struct BuiltMotorsAsked {
-  std::vector<Tolerance> tolerances;
-  std::vector<StatisticLimit> statistics;
-  std::vector<ToleranceCorrelation> correlations;
-};
-
 /// A search for one best design, shared by optimize and size.
 class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
+  std::vector<std::string> notes() const override;
   std::optional<StoredRow> recompute(const StoredRow& asked) const override;
   /// Under tolerances the certificate is that of the last round, which follows from the rows before it.
   std::optional<optim::Certificate> certify(std::span<const double> variables,

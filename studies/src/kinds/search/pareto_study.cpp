@@ -42,10 +42,12 @@ class ParetoRun : public SearchRun {
                   asked.solver, asked.start),
         points_(asked.points),
         goals_(asked.objectives),
-        tolerances_(asked.tolerances),
-        statistics_(asked.statistics),
-        correlations_(asked.correlations),
+        built_(built_motors_asked(asked, file)),
         motors_([this](const BuiltQuestion&) { return question(); }) {}
+
+  std::vector<std::string> notes() const override {
+    return built_.table.notes_after(SearchRun::notes());
+  }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     return is_of_built_motor(asked) ? motors_.answer(asked) : SearchRun::recompute(asked);
@@ -54,12 +56,12 @@ class ParetoRun : public SearchRun {
   /// Under tolerances the certificates are those of rounds, which follow from the rows before them.
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override {
-    return tolerances_.empty() ? SearchRun::certify(variables, design) : std::nullopt;
+    return !built_.scatter() ? SearchRun::certify(variables, design) : std::nullopt;
   }
 
   KindAnswer run(RunContext& context) override {
     SearchLog log(problem(), context);
-    if (!tolerances_.empty()) return under_tolerances(log, context);
+    if (built_.scatter()) return under_tolerances(log, context);
     optim::SolveOptions solve = options(log, context);
     const optim::Front front = solve.solver == kNsga2 ? by_population(log.problem(), solve)
                                                       : by_gradients(log.problem(), solve);
@@ -110,7 +112,7 @@ class ParetoRun : public SearchRun {
   }
 
   RobustQuestion question() const {
-    RobustQuestion question{problem(), tolerances_, statistics_, correlations_};
+    RobustQuestion question = built_.question(problem());
     question.design.objectives = goals_;
     return question;
   }
@@ -120,6 +122,8 @@ class ParetoRun : public SearchRun {
     KindAnswer found =
         robust_front({question(), problem(), reporter(), options(context), points_}, context);
     auto& result = std::get<ParetoResult>(found.answer);
+    result.parts = built_.table.name;
+    result.part_count = built_.table.parts.rows.size();
     result.before_design = reporter().design_of(before());
     result.before_metrics = reporter().metrics_of(before());
     if (found.outcome != StudyOutcome::infeasible) return found;
@@ -148,9 +152,7 @@ class ParetoRun : public SearchRun {
   std::size_t points_;
   // goals of the study; those of problem() have a value without tolerances
   std::vector<DesignObjective> goals_;
-  std::vector<Tolerance> tolerances_;
-  std::vector<StatisticLimit> statistics_;
-  std::vector<ToleranceCorrelation> correlations_;
+  BuiltMotorsAsked built_;
   BuiltMotorRows motors_;
 };
 

@@ -24,8 +24,8 @@ DesignProblem posed(const SizeStudy& asked) {
 class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)
-      : OptimumRun(file, posed(asked), {asked.tolerances, asked.statistics, asked.correlations},
-                   asked.solver, asked.start) {}
+      : OptimumRun(file, posed(asked), built_motors_asked(asked, file), asked.solver, asked.start) {
+  }
 };
 
 }  // namespace
