@@ -303,3 +303,93 @@ TEST_CASE("the course of a cycle passes its states", "[core][heat]") {
   CHECK(found.course[1].temperatures.stator > found.states[0].stator);
   CHECK(found.course[1].temperatures.stator < found.states[1].stator);
 }
+
+namespace {
+
+MetricRequest after(Metric metric, double torque, double time) {
+  MetricRequest request = metric_at_torque(metric, torque);
+  request.after = time;
+  return request;
+}
+
+}  // namespace
+
+TEST_CASE("a temperature after a time is that of the warm-up (H4.1, H4.3)", "[core][heat]") {
+  const auto value = [](const MotorDesign& design, const MetricRequest& request) {
+    const MetricValue found = evaluate(Motor(design), request);
+    REQUIRE(found.status == MetricStatus::ok);
+    return found.value;
+  };
+  SECTION("without drift, by the modes of the network") {
+    const MotorDesign design = without_drift();
+    const HeatLosses losses = cold_losses(design, {heat_load(0.5), 1, {}});
+    for (const double time : {1e-3, 30.0, 512.0, 700.0, 1e4}) {
+      const PartTemperatures rises = rises_after(heat_network(design), {}, losses, time);
+      CAPTURE(time);
+      // Steps are exact where losses stay; those at temperatures a little apart agree to 1e-9 of 15 W and 4 K/W.
+      CHECK(std::fabs(value(design, after(Metric::stator_temperature_at, 0.5, time)) -
+                      design.thermal->ambient - rises.stator) <= 1e-6);
+      CHECK(std::fabs(value(design, after(Metric::housing_temperature_at, 0.5, time)) -
+                      design.thermal->ambient - rises.housing) <= 1e-6);
+      CHECK(std::fabs(value(design, after(Metric::contact_temperature_at, 0.5, time)) -
+                      design.thermal->ambient - rises.contact) <= 1e-6);
+    }
+  }
+  SECTION("of one node, by its closed form") {
+    const MotorDesign design = as_one_node(without_drift());
+    for (const double time : {1.0, 660.0, 5000.0})
+      CHECK(std::fabs(value(design, after(Metric::stator_temperature_at, 0.5, time)) -
+                      design.thermal->ambient + 40 * std::expm1(-time / 660)) <= 1e-6);
+  }
+  SECTION("at the beginning ambient, at the end steady") {
+    const MotorDesign design = with_table(warm_motor());
+    for (const Metric metric : {Metric::stator_temperature_at, Metric::rotor_temperature_at,
+                                Metric::housing_temperature_at}) {
+      CHECK(value(design, after(metric, 0.5, 0)) == Approx(design.thermal->ambient).epsilon(1e-14));
+      const double steady = value(design, metric_at_torque(metric, 0.5));
+      // Twenty slow time constants of 600 s and the error of all steps, 1e-5 K each, that the network forgets.
+      CHECK(std::fabs(value(design, after(metric, 0.5, 12000)) - steady) <= 1e-3);
+      CHECK(value(design, after(metric, 0.5, HUGE_VAL)) == steady);
+      CHECK(std::fabs(value(design, after(metric, 0.5, 1e9)) - steady) <= 1e-3);
+    }
+    CHECK(evaluate(Motor(design), after(Metric::stator_temperature_at, 0.5, -1)).status ==
+          MetricStatus::out_of_range);
+    CHECK(evaluate(Motor(design), after(Metric::stator_temperature_at, 50, 10)).status ==
+          MetricStatus::unreachable);
+  }
+  SECTION("up to where the load is lost") {
+    // 0.82 N.m is lost after 1,140 s, by an integration of another program.
+    const MotorDesign design = fading_motor();
+    CHECK(value(design, after(Metric::stator_temperature_at, 0.82, 1100)) >
+          value(design, after(Metric::stator_temperature_at, 0.82, 1000)));
+    CHECK(evaluate(Motor(design), after(Metric::stator_temperature_at, 0.82, 1200)).status !=
+          MetricStatus::ok);
+  }
+}
+
+TEST_CASE("derivatives of a temperature after a time do not depend on what else is asked (H6.4)",
+          "[core][heat][derivative][differential]") {
+  const MotorDesign design = with_table(warm_motor());
+  const std::initializer_list<Parameter> some{Parameter::voltage,
+                                              Parameter::thickness,
+                                              Parameter::kinetic_friction,
+                                              Parameter::stator_heat_capacity,
+                                              Parameter::conductance_housing_ambient,
+                                              Parameter::conductance_stator_housing,
+                                              Parameter::drift_resonance_frequency,
+                                              Parameter::ambient_temperature};
+  for (const double time : {20.0, 300.0, 3000.0})
+    check_by_differences(design, after(Metric::stator_temperature_at, 0.5, time), some, 1e-3);
+  check_by_differences(design, after(Metric::contact_temperature_at, 0.5, 100), some, 1e-3);
+  check_by_differences(design, after(Metric::rotor_temperature_at, 0.5, 100), some, 1e-3);
+  const std::vector<MetricRequest> together{after(Metric::housing_temperature_at, 0.5, 900),
+                                            after(Metric::stator_temperature_at, 0.5, 30),
+                                            after(Metric::stator_temperature_at, 0.5, 700)};
+  const Motor motor(design);
+  const auto all = differentiate(motor, together);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    const MetricDerivative alone = differentiate(motor, together[i]);
+    CHECK(all[i].value.value == alone.value.value);
+    CHECK(all[i].gradient == alone.gradient);
+  }
+}

@@ -145,7 +145,9 @@ MetricDerivative HeatMetrics::differentiate(const MetricRequest& request, bool f
       case M::rotor_peak_temperature:
       case M::housing_peak_temperature:
       case M::contact_peak_temperature: return of_peak(*part_of(request.metric), found, fixed);
-      default: return of_parts(request, found, fixed);
+      default:
+        return is_timed(request) ? of_after(request, found, fixed)
+                                 : of_parts(request, found, fixed);
     }
   } catch (const SearchFailure&) {
     return no_derivative(found);

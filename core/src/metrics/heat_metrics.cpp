@@ -104,12 +104,15 @@ double HeatMetrics::value(const MetricRequest& request) {
       if (std::isinf(least)) throw SearchFailure{MetricStatus::undefined};
       return least;
     }
-    default: return steady(load_of(request)).parts[*part_of(request.metric)];
+    default:
+      if (is_timed(request)) return after(request);
+      return steady(load_of(request)).parts[*part_of(request.metric)];
   }
 }
 
 MetricValue HeatMetrics::evaluate(const MetricRequest& request) {
   if (!design_.thermal) return {kNoValue, MetricStatus::undefined};
+  if (request.after && !(*request.after >= 0)) return {kNoValue, MetricStatus::out_of_range};
   const LoadPoint load = request.warm_at ? *request.warm_at : load_of(request);
   if (load.argument == Argument::both && !(load.at > 0)) return {kNoValue, MetricStatus::undefined};
   try {

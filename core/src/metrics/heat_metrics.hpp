@@ -4,6 +4,7 @@
 #include "metrics/heat_course.hpp"
 #include "metrics/heat_sensitivity.hpp"
 
+#include <cmath>
 #include <functional>
 #include <list>
 #include <memory>
@@ -25,6 +26,11 @@ inline bool is_heat(const MetricRequest& request) {
 /// The load of a metric at one.
 inline LoadPoint load_of(const MetricRequest& request) {
   return {request.argument, request.at, request.torque};
+}
+
+/// Whether a temperature is asked for after a time, and not for ever.
+inline bool is_timed(const MetricRequest& request) {
+  return request.after && info(request.metric).timed && std::isfinite(*request.after);
 }
 
 /// The part whose temperature a metric is.
@@ -139,6 +145,17 @@ class HeatMetrics {
   };
   DutyLimit duty_limit(const LoadPoint& load);
   MetricDerivative of_duty_limit(const LoadPoint& load, const MetricValue& value, bool fixed);
+  /// The first minutes of a load, from ambient temperature on, for as long as a power of two of seconds.
+  struct WarmUp {
+    LoadPoint load;
+    double time;
+    HeatCourse course;
+    HeatCourse::Lap lap;
+    std::unique_ptr<CourseSensitivity> sensitivity{};
+  };
+  WarmUp& warm_up(const MetricRequest& request);
+  double after(const MetricRequest& request);
+  MetricDerivative of_after(const MetricRequest& request, const MetricValue& value, bool fixed);
   double voltage_to_spare(double temperature) const;
   double start_temperature();
   MetricDerivative of_start(const MetricValue& value, bool fixed);
@@ -148,6 +165,7 @@ class HeatMetrics {
   std::shared_ptr<WarmMotors> motors_;
   std::optional<HeatNetwork> network_;
   std::list<Known> known_;  // references stay valid
+  std::list<WarmUp> warm_ups_;
   std::optional<Operation> operation_;
   std::unique_ptr<CourseSensitivity> sensitivity_;  // of the operation
 };

@@ -31,7 +31,8 @@ CourseSensitivity::CourseSensitivity(const MotorDesign& design, const HeatCourse
       fixed_(fixed_static_friction),
       numbers_(network_numbers(design, network_of(design), fixed_static_friction)),
       still_(course.phases().front().solver.matrices()),
-      ends_(1) {
+      ends_(1),
+      walks_(lap.size()) {
   for (std::size_t i = 0; i < kMasses; ++i) ends_[0].theta[i][kParameterCount + i] = 1;
 }
 
@@ -130,37 +131,54 @@ CourseSensitivity::Moves CourseSensitivity::step(const Moves& from, const Local&
   return to;
 }
 
-CourseSensitivity::Moves CourseSensitivity::through(std::size_t phase, const HeatState& from,
-                                                    double duration, Moves moves) {
-  const HeatSolver& solver = course_.phases()[phase].solver;
-  const double shortest = solver.fastest() / kFine;
-  Local a = local(phase, from);
-  for (double done = 0; done < duration;) {
-    const double left = duration - done;
-    const double wanted = std::max(shortest, done / kFine);
-    const double h = wanted >= left * (1 - 1e-9) ? left : std::min(wanted, left / 2);
-    const HeatState middle = solver.advanced(a.state, h / 2, kBetweenError),
-                    end = solver.advanced(middle, h / 2, kBetweenError);
-    for (const HeatState& state : {middle, end})
-      if (state.status != MetricStatus::ok) throw SearchFailure{state.status};
-    Local b = local(phase, end);
-    moves = step(moves, a, local(phase, middle), b, h);
-    a = std::move(b);
-    done = h == left ? duration : done + h;
+double CourseSensitivity::next_step(std::size_t phase, double done) const {
+  return std::max(course_.phases()[phase].solver.fastest(), done) / kFine;
+}
+
+// One more step of the walk through a phase, whose lengths follow from its beginning alone.
+void CourseSensitivity::walk_on(std::size_t phase) {
+  std::vector<Place>& walk = walks_[phase];
+  if (walk.empty()) {
+    walk.push_back({0, local(phase, lap_[phase].front()), to(phase)});
+    return;
   }
-  return moves;
+  const double done = walk.back().done;
+  walk.push_back(stepped(phase, walk.back(), next_step(phase, done)));
+}
+
+CourseSensitivity::Place CourseSensitivity::stepped(std::size_t phase, const Place& from,
+                                                    double h) {
+  const HeatSolver& solver = course_.phases()[phase].solver;
+  const HeatState middle = solver.advanced(from.at.state, h / 2, kBetweenError),
+                  end = solver.advanced(middle, h / 2, kBetweenError);
+  for (const HeatState& state : {middle, end})
+    if (state.status != MetricStatus::ok) throw SearchFailure{state.status};
+  Local b = local(phase, end);
+  Moves moves = step(from.moves, from.at, local(phase, middle), b, h);
+  return {from.done + h, std::move(b), std::move(moves)};
+}
+
+// From the last place of the walk before, which other moments share.
+CourseSensitivity::Moves CourseSensitivity::through(std::size_t phase, double duration) {
+  std::vector<Place>& walk = walks_[phase];
+  if (walk.empty()) walk_on(phase);
+  while (walk.back().done + next_step(phase, walk.back().done) <= duration) walk_on(phase);
+  const auto after = std::ranges::upper_bound(walk, duration, {}, &Place::done);
+  const Place& last = *(after - 1);
+  return duration > last.done ? stepped(phase, last, duration - last.done).moves : last.moves;
 }
 
 const CourseSensitivity::Moves& CourseSensitivity::to(std::size_t phases) {
   for (std::size_t i = ends_.size() - 1; i < phases; ++i)
-    ends_.push_back(through(i, lap_[i].front(), course_.phases()[i].time, ends_[i]));
+    ends_.push_back(through(i, course_.phases()[i].time));
   return ends_[phases];
 }
 
 CourseSensitivity::Moves CourseSensitivity::to(const HeatCourse::Moment& moment) {
   const HeatState &begin = lap_[moment.phase].front(), &end = lap_[moment.phase].back();
   if (moment.time == end.time) return to(moment.phase + 1);
-  return through(moment.phase, begin, moment.time - begin.time, to(moment.phase));
+  to(moment.phase);
+  return through(moment.phase, moment.time - begin.time);
 }
 
 // The lap returns: S_0 = E S_0 + S, with E the columns of the masses.

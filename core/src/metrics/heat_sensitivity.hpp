@@ -49,7 +49,16 @@ class CourseSensitivity {
   Sources<double> losses(const Local& at, std::size_t column, const Vector3& theta) const;
   Moves step(const Moves& from, const Local& a, const Local& middle, const Local& b,
              double h) const;
-  Moves through(std::size_t phase, const HeatState& from, double duration, Moves moves);
+  /// A moment of a phase on the way through it.
+  struct Place {
+    double done;  ///< time since the phase began [s]
+    Local at;
+    Moves moves;
+  };
+  double next_step(std::size_t phase, double done) const;
+  void walk_on(std::size_t phase);
+  Place stepped(std::size_t phase, const Place& from, double h);
+  Moves through(std::size_t phase, double duration);
   const Moves& to(std::size_t phases);
   Moves to(const HeatCourse::Moment& moment);
   Moves returning();
@@ -62,7 +71,8 @@ class CourseSensitivity {
   bool fixed_;
   std::vector<NetworkNumber> numbers_;
   NetworkMatrices<double> still_;
-  std::vector<Moves> ends_;  // after so many phases
+  std::vector<Moves> ends_;                // after so many phases
+  std::vector<std::vector<Place>> walks_;  // through each phase, as far as it was asked
 };
 
 }  // namespace twum::core

@@ -8,7 +8,7 @@ using M = Metric;
 using A = Argument;
 
 constexpr bool kModes = true, kGeometry = true, kThermal = true, kAbsolute = true,
-               kOperation = true, kWear = true, kMotion = true;
+               kOperation = true, kWear = true, kMotion = true, kTimed = true;
 
 constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
@@ -137,14 +137,17 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricRows{{
     {M::dielectric_loss_at, "dielectric_loss_at", "W", A::speed_or_torque,
      "loss in the blocked capacitances of both phases", kModes},
     {M::stator_temperature_at, "stator_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the stator", !kModes, !kGeometry, kThermal, kAbsolute},
+     "temperature of the stator, steady or after a time", !kModes, !kGeometry, kThermal, kAbsolute,
+     !kOperation, !kWear, !kMotion, kTimed},
     {M::rotor_temperature_at, "rotor_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the rotor", !kModes, !kGeometry, kThermal, kAbsolute},
+     "temperature of the rotor, steady or after a time", !kModes, !kGeometry, kThermal, kAbsolute,
+     !kOperation, !kWear, !kMotion, kTimed},
     {M::housing_temperature_at, "housing_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the housing", !kModes, !kGeometry, kThermal, kAbsolute},
+     "temperature of the housing, steady or after a time", !kModes, !kGeometry, kThermal, kAbsolute,
+     !kOperation, !kWear, !kMotion, kTimed},
     {M::contact_temperature_at, "contact_temperature_at", "K", A::speed_or_torque,
-     "steady temperature of the sliding face between lining and stator", !kModes, !kGeometry,
-     kThermal, kAbsolute},
+     "temperature of the sliding face between lining and stator, steady or after a time", !kModes,
+     !kGeometry, kThermal, kAbsolute, !kOperation, !kWear, !kMotion, kTimed},
     {M::temperature_margin_at, "temperature_margin_at", "K", A::speed_or_torque,
      "smallest margin between a steady temperature and its limit; negative above the limit",
      !kModes, !kGeometry, kThermal},

@@ -151,6 +151,7 @@ Json plan_json(const CalibrateResult& result) {
     Json one{{"quantity", planned.point.quantity}};
     if (planned.point.argument != Argument::none)
       one[planned.point.argument == Argument::speed ? "speed" : "torque"] = planned.point.at;
+    if (planned.point.after) one["time"] = *planned.point.after;
     if (!planned.point.set.empty()) one["set"] = values_json(planned.point.set);
     if (!planned.file.empty()) one["file"] = planned.file;
     Json widths = Json::object();
@@ -169,6 +170,7 @@ Json point_json(const CalibrateResult::Point& point) {
   Json json = Json::object();
   if (point.argument != Argument::none)
     json[point.argument == Argument::speed ? "speed" : "torque"] = point.at;
+  if (point.after) json["time"] = *point.after;
   json[point.torque() ? "torque" : "value"] = point.value;
   json["weight"] = point.weight;
   json["fitted"] = number_json(point.fitted);

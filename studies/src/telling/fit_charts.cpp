@@ -72,7 +72,8 @@ Section fit_section(const CalibrateResult& answer, const CurveKind& kind, bool n
   const std::string quantity = quantity_words(first.quantity);
   Section section{{"Measured and fitted" + (named ? ": " + quantity : "")}};
   section.wide = !named;
-  const bool from_zero = first.over.name == "speed" || first.over.name == "torque";
+  const bool from_zero =
+      first.over.name == "speed" || first.over.name == "torque" || first.over.name == "time";
   Chart chart{chart_name(first),
               section.heading,
               {{name_part(first.over.name)}, first.over.unit, from_zero},
@@ -192,6 +193,7 @@ struct ReadAt {
 
 // Where a number was read: its speed, its load, its frequency, or else its place in the data.
 ReadAt place_of(const Reading& point, std::size_t index) {
+  if (point.after) return {{"time"}, "s", *point.after};
   if (point.argument == Argument::speed) return {{"speed"}, "rad/s", point.at};
   if (point.argument == Argument::torque) return {{"torque"}, "N.m", point.at};
   for (const NamedValue& one : point.set)

@@ -22,7 +22,8 @@ using Fitted = CalibrateResult::Estimate;
 Phrase reading_phrase(const Reading& point) {
   std::string name = point.quantity;
   if (point.argument != Argument::none)
-    name += "(" + engineering(point.at, point.argument == Argument::speed ? "rad/s" : "N.m") + ")";
+    name += "(" + engineering(point.at, point.argument == Argument::speed ? "rad/s" : "N.m") +
+            (point.after ? ", " + engineering(*point.after, "s") : "") + ")";
   Phrase phrase{name_part(name)};
   for (const NamedValue& set : point.set)
     append(phrase, {", ", name_part(set.name), " ", value_part(set.value, set.unit)});

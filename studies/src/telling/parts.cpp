@@ -123,6 +123,12 @@ std::string read_aged(MetricRequest request, std::optional<LoadPoint> MetricRequ
 }
 
 std::string read_request(const MetricRequest& request, const std::string& metric, Writing writing) {
+  if (request.after) {
+    MetricRequest steady = request;
+    steady.after.reset();
+    return read_request(steady, metric, writing) + " after " +
+           written_value(*request.after, "s", 4, writing);
+  }
   if (request.worn_at) return read_aged(request, &MetricRequest::worn_at, "worn", metric, writing);
   if (request.warm_at) return read_aged(request, &MetricRequest::warm_at, "warm", metric, writing);
   const std::string name = plain_name(metric);

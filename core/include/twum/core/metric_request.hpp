@@ -21,6 +21,9 @@ struct MetricRequest {
   std::optional<LoadPoint> warm_at{};
   /// Asks for the metric of the motor at the end of its life under this load, with Argument::none under its operation.
   std::optional<LoadPoint> worn_at{};
+  /// Asks for the temperature this long after the motor, at ambient temperature, took up the load [s], 0 or more; without it,
+  /// or infinite, for the steady one. Metrics that are not `timed` (MetricInfo) ignore it.
+  std::optional<double> after{};
 
   /// True if both ask the same.
   bool operator==(const MetricRequest&) const = default;

@@ -34,6 +34,7 @@ struct MetricInfo {
   bool needs_wear{false};       ///< has a value only where the design has a wear block
   bool needs_motion{
       false};  ///< of a rotor with inertia, where motions are computed (has_motion_metrics())
+  bool timed{false};  ///< may be asked for a time after the motor took up the load
 };
 
 /// The table, one row for each Metric, in its order; static lifetime.

@@ -64,8 +64,10 @@ struct CalibrateResult {
     std::string quantity{"torque_at"};   ///< metric or circuit quantity
     std::string unit{"N.m"};             ///< its SI unit
     Argument argument{Argument::speed};  ///< what `at` is
-    double deviation{0};                 ///< standard deviation; 0: not given
-    std::vector<NamedValue> set{};       ///< settings of the bench
+    /// of a temperature that was not steady: time since the motor took up the load [s]
+    std::optional<double> after{};
+    double deviation{0};            ///< standard deviation; 0: not given
+    std::vector<NamedValue> set{};  ///< settings of the bench
     std::string where{};  ///< table and line, such as "points.csv:12"; empty: not from a table
     bool outlier{false};  ///< one of CalibrateResult::outliers
     bool counts{true};    ///< included in residual_rms and in the tests of the fit

@@ -19,6 +19,7 @@ constexpr Expected kSpeed{"rad/s", "100 rpm"};
 constexpr Expected kTorque{"N.m", "0.5 N.m"};
 constexpr Expected kAngle{"rad", "90 deg"};
 constexpr Expected kPeriods{"1", "32"};
+constexpr Expected kTime{"s", "10 min"};
 
 // "torque_at(100 rpm)": how a point metric is written.
 // What a metric may be asked at; the first is the example.
@@ -114,6 +115,28 @@ MetricRequest parse_held(const MetricInfo& metric, std::string_view first, std::
   return {metric.metric, Argument::both, speed_first ? a.at : b.at, speed_first ? b.at : a.at};
 }
 
+// Takes the time after which a temperature is asked for out of the list: "0.5 N.m, 10 min".
+std::optional<double> take_time(const MetricInfo& metric, std::vector<std::string_view>& pieces,
+                                std::string_view text) {
+  if (!metric.timed) return {};
+  for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
+    Quantity quantity;
+    try {
+      quantity = parse_quantity(*piece, std::vector{kSpeed, kTorque, kTime});
+    } catch (const ValueError&) {
+      continue;  // it is read again
+    }
+    if (quantity.which != 2) continue;
+    if (!(quantity.value >= 0))
+      throw ValueError(std::string(metric.name) + ": a time below 0",
+                       "give a time such as '10 min', or leave it out for the steady temperature",
+                       static_cast<std::size_t>(piece->data() - text.data()));
+    pieces.erase(piece);
+    return quantity.value;
+  }
+  return {};
+}
+
 // Reads "torque_at(100 rpm)"; the formula reader has checked the parentheses.
 MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std::size_t open) {
   if (open == std::string_view::npos) {
@@ -128,14 +151,22 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
                      "write it without parentheses", open);
   }
   const std::string_view argument = trimmed(text.substr(open + 1, text.size() - open - 2));
-  const std::size_t comma = argument.find(',');
-  if (comma != std::string_view::npos)
-    return parse_held(metric, trimmed(argument.substr(0, comma)),
-                      trimmed(argument.substr(comma + 1)), text);
-  if (metric.argument == Argument::both)
+  std::vector<std::string_view> pieces = split_list(argument);
+  const std::optional<double> after = take_time(metric, pieces, text);
+  if (pieces.size() > 2)
+    throw ValueError(std::string(metric.name) + " takes " +
+                         (metric.timed ? "a torque, a speed and a time at most"
+                                       : "a torque and a speed at most"),
+                     "write '" + usage(metric) + "'",
+                     static_cast<std::size_t>(pieces[2].data() - text.data()));
+  if (pieces.empty() || (pieces.size() == 1 && metric.argument == Argument::both))
     throw ValueError(quoted(text) + " needs " + argument_phrase(metric.argument),
                      "expected one such as '" + usage(metric) + "'", text.size());
-  return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
+  const auto at = static_cast<std::size_t>(pieces.front().data() - text.data());
+  MetricRequest request = pieces.size() == 2 ? parse_held(metric, pieces[0], pieces[1], text)
+                                             : parse_argument(metric, pieces[0], at);
+  request.after = after;
+  return request;
 }
 
 // Refuses a symbol in a formula, where it could be a unit.

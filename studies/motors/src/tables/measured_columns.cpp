@@ -13,7 +13,7 @@
 namespace twum::motors {
 namespace {
 
-constexpr std::string_view kDeviation = "_sd";
+constexpr std::string_view kDeviation = "_sd", kTime = "time";
 
 std::optional<Reading> reading_of(std::string_view name) {
   if (const auto part = find_circuit_part(name)) return *part;
@@ -27,6 +27,8 @@ class ColumnReader {
   ColumnReader(const std::vector<ColumnHeading>& headings, Diagnostics& diagnostics)
       : headings_(headings), diagnostics_(diagnostics) {
     has_speed_ = has("speed");
+    has_timed_ = std::ranges::any_of(
+        metric_table(), [&](const MetricInfo& row) { return row.timed && has(row.name); });
     for (const ColumnHeading& heading : headings) parts_.push_back(known_form(heading.text));
   }
 
@@ -109,6 +111,7 @@ class ColumnReader {
     if (column.expected == "N.m")
       return column.role == ColumnRole::deviation ? "5 mN.m" : "0.5 N.m";
     if (column.expected == "rad/s") return "100 rpm";
+    if (column.role == ColumnRole::time) return "10 min";
     return "";
   }
 
@@ -123,6 +126,11 @@ class ColumnReader {
       column.role = ColumnRole::argument;
       column.argument = name == "speed" ? Argument::speed : Argument::torque;
       column.expected = name == "speed" ? "rad/s" : "N.m";
+      return column;
+    }
+    if (name == kTime && has_timed_) {  // otherwise a logger's, which says nothing of the motor
+      column.role = ColumnRole::time;
+      column.expected = "s";
       return column;
     }
     if (name.ends_with(kDeviation) && has(name.substr(0, name.size() - kDeviation.size()))) {
@@ -270,6 +278,7 @@ class ColumnReader {
   std::vector<Heading> parts_;  // of each heading
   Diagnostics& diagnostics_;
   bool has_speed_{false};
+  bool has_timed_{false};  // a column of temperatures that may be read on the way
   bool unknown_{false};
   std::vector<MeasuredColumn> columns_;
 };

@@ -12,7 +12,15 @@
 namespace twum::motors {
 
 /// Role of a column in a table of measurements.
-enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter, unused };
+enum class ColumnRole : unsigned char {
+  argument,
+  time,  ///< since the motor at ambient temperature took up the load
+  measured,
+  deviation,
+  weight,
+  parameter,
+  unused
+};
 
 /// One column.
 struct MeasuredColumn {

@@ -145,6 +145,7 @@ class PointReader {
       const MeasuredColumn& other = columns_[k];
       if (!values_[k]) continue;
       if (other.role == ColumnRole::argument) set_argument(point, other, *values_[k]);
+      if (other.role == ColumnRole::time) set_time(point, *values_[k]);
       if (other.role == ColumnRole::parameter) point.set.emplace_back(other.parameter, *values_[k]);
       const bool weighs = other.role == ColumnRole::weight ||
                           (other.role == ColumnRole::deviation && other.of == i);
@@ -162,6 +163,11 @@ class PointReader {
   static void set_argument(MeasuredPoint& point, const MeasuredColumn& column, double value) {
     auto* request = std::get_if<MetricRequest>(&point.reading);
     if (request != nullptr && request->argument == column.argument) request->at = value;
+  }
+
+  static void set_time(MeasuredPoint& point, double value) {
+    auto* request = std::get_if<MetricRequest>(&point.reading);
+    if (request != nullptr && info(request->metric).timed) request->after = value;
   }
 
   std::optional<double> read_cell(const MeasuredColumn& column, std::string_view cell,
@@ -183,6 +189,12 @@ class PointReader {
     if (positive && !(*value > 0)) {
       diagnostics_.add(mark, column.name, quoted(text),
                        "must be more than 0; to ignore a point leave out its line");
+      return {};
+    }
+    if (column.role == ColumnRole::time && !(*value >= 0)) {
+      diagnostics_.add(mark, column.name, quoted(text),
+                       "must be 0 or more: the time since the motor at ambient temperature took up "
+                       "the load");
       return {};
     }
     if (column.role != ColumnRole::parameter) return value;

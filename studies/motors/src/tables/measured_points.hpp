@@ -61,6 +61,8 @@ struct MeasuredPoints {
 ///
 /// * `speed` or `torque`: the operating point that the bench sets, at which metrics such as electrical_power_at are
 ///   read; beside `speed`, `torque` is a reading;
+/// * `time`, beside temperatures: since the motor, at ambient temperature, took up the load of the row; without it they are
+///   steady;
 /// * metrics by name, and conductance, susceptance, resistance, reactance, impedance and impedance_phase of a phase of the
 ///   free stator: readings; a cell may be empty if its row has another reading;
 /// * `NAME_sd`: the standard deviation s of column NAME, which gives the weight 1 / s^2; or `weight`;

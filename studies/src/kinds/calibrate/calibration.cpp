@@ -363,7 +363,7 @@ CalibrateResult::Point point_of(const MeasuredPoint& measured) {
   point.unit = unit_of(measured.reading);
   const auto* request = std::get_if<MetricRequest>(&measured.reading);
   point.argument = request != nullptr ? request->argument : Argument::none;
-  if (request != nullptr) point.at = request->at;
+  if (request != nullptr) point.at = request->at, point.after = request->after;
   point.deviation = measured.deviation;
   for (const auto& [parameter, value] : measured.set)
     point.set.push_back(

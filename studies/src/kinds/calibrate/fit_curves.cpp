@@ -54,10 +54,13 @@ bool is_end_of(const CalibrateResult::Point& point, const std::string& quantity)
          (point.quantity == "stall_torque" && quantity == "torque_at");
 }
 
-// What is read in a point of the data, at another speed or torque.
+// What is read in a point of the data, at another speed or torque, or after another time.
 decltype(MeasuredPoint::reading) reading_of(const CalibrateResult::Point& point, double at) {
-  if (const auto metric = find_metric(point.quantity))
-    return MetricRequest{*metric, point.argument, point.argument == Argument::none ? 0 : at};
+  if (const auto metric = find_metric(point.quantity)) {
+    MetricRequest request{*metric, point.argument, point.argument == Argument::none ? 0 : at};
+    if (point.after) request.at = point.at, request.after = at;
+    return request;
+  }
   return *find_circuit_part(point.quantity);
 }
 
@@ -95,6 +98,7 @@ class Curves {
     FitCurve curve{point.quantity, point.unit, *over, {}, {}, {}, {}, {}, {}, {}};
     for (const NamedValue& one : point.set)
       if (one.name != over->name) curve.set.push_back(one);
+    if (point.after) curve.set.push_back(load_of(point));
     if (files_.size() > 1) curve.file = table_of(point);
     auto known = std::find_if(curves.begin(), curves.end(), [&](const FitCurve& c) {
       return c.quantity == curve.quantity && c.over.name == curve.over.name &&
@@ -127,7 +131,8 @@ class Curves {
     const bool point = result_.data[curve.points.front()].argument != Argument::none;
     const double room = point ? 0 : kBeyond * (high - low);
     if (point) low = std::min(low, 0.0);
-    const std::size_t count = curve.over.name == "torque" ? kAtTorque : kAtSpeed;
+    const bool slow = curve.over.name == "torque" || curve.over.name == "time";
+    const std::size_t count = slow ? kAtTorque : kAtSpeed;
     for (std::size_t k = 0; k < count; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(count - 1);
       add(std::lerp(low - room, high + room, share), curve);
@@ -217,7 +222,7 @@ class Curves {
   // A measured number as the fit has it.
   MeasuredPoint measured(const CalibrateResult::Point& point) const {
     MeasuredPoint one;
-    one.reading = reading_of(point, point.at);
+    one.reading = reading_of(point, point.after.value_or(point.at));
     one.value = point.value, one.weight = point.weight, one.deviation = point.deviation;
     for (const NamedValue& set : point.set)
       one.set.emplace_back(*find_parameter(set.name), set.value);
@@ -260,13 +265,21 @@ std::string table_of(const CalibrateResult::Point& point) {
   return point.where.substr(0, point.where.rfind(':'));
 }
 
+NamedValue load_of(const CalibrateResult::Point& point) {
+  if (point.argument == Argument::speed) return {"speed", "rad/s", point.at};
+  return {"torque", "N.m", point.at};
+}
+
 std::optional<NamedValue> axis_of(const Data& data, const CalibrateResult::Point& point) {
+  if (point.after) return NamedValue{"time", "s", 0};
   if (point.argument == Argument::speed) return NamedValue{"speed", "rad/s", 0};
   if (point.argument == Argument::torque) return NamedValue{"torque", "N.m", 0};
   return most_varied(data, point.quantity);
 }
 
 double place_on(const CalibrateResult::Point& point, const NamedValue& over) {
+  if (point.after || over.name == "time")
+    return over.name == "time" ? point.after.value_or(kNoValue) : kNoValue;
   if (point.argument != Argument::none) return point.at;
   if (over.name == "torque" || over.name == "speed") return 0;  // the end of a curve over it
   const auto found = std::find_if(point.set.begin(), point.set.end(),

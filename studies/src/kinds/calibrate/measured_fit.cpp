@@ -69,14 +69,18 @@ class MeasuredFit::Sorter {
   }
 
  private:
-  using Place = std::tuple<std::size_t, int, int, double, double>;
+  using Place = std::tuple<std::size_t, int, int, double, double, double>;
 
   static Place place_of(const Reading& reading) {
     const auto* request = std::get_if<MetricRequest>(&reading);
     if (request == nullptr)
-      return {reading.index(), static_cast<int>(std::get<CircuitPart>(reading)), 0, 0, 0};
-    return {reading.index(), static_cast<int>(request->metric), static_cast<int>(request->argument),
-            request->at, request->torque};
+      return {reading.index(), static_cast<int>(std::get<CircuitPart>(reading)), 0, 0, 0, 0};
+    return {reading.index(),
+            static_cast<int>(request->metric),
+            static_cast<int>(request->argument),
+            request->at,
+            request->torque,
+            request->after.value_or(-1)};
   }
 
   std::size_t condition_of(const MeasuredPoint& point) {

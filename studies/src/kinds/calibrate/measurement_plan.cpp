@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace twum::studies {
@@ -154,10 +155,17 @@ class Planner {
   void add(const MeasuredPoint& like, const Reading& reading,
            const std::vector<ParameterValue>& set, std::vector<Candidate>& list) const {
     MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set, {}, {}, like.table};
-    if (overheats(point)) return;
+    if (!was_reached(like, point) && overheats(point)) return;
     optim::Residuals found = fit_.asking({point}).residuals(values_);
     if (!found.failure.empty()) return;
     list.push_back({std::move(point), in_ranges(found.jacobian.data())});
+  }
+
+  // On a warm-up under the settings of one that was measured.
+  static bool was_reached(const MeasuredPoint& like, const MeasuredPoint& point) {
+    const auto* request = std::get_if<MetricRequest>(&point.reading);
+    return request != nullptr && request->after &&
+           plain_numbers(like.set) == plain_numbers(point.set);
   }
 
   // A steady temperature is not measured where the motor would become hotter than a part of it bears.
@@ -188,6 +196,7 @@ class Planner {
     const Reading& reading = like.reading;
     const auto* request = std::get_if<MetricRequest>(&reading);
     if (request == nullptr || request->argument == Argument::none) return {reading};
+    if (request->after) return times(like);
     const Metric end =
         request->argument == Argument::speed ? Metric::no_load_speed : Metric::max_torque;
     const MetricValue last =
@@ -199,6 +208,26 @@ class Planner {
       one.at = most * i / kGrid;
       list.emplace_back(one);
     }
+    return list;
+  }
+
+  // On a warm-up under a load that was measured: at any time up to the longest.
+  std::vector<Reading> times(const MeasuredPoint& like) const {
+    std::vector<Reading> list;
+    std::map<std::pair<Argument, double>, double> longest;  // of each load
+    for (const MeasuredPoint& point : fit_.points())
+      if (const auto* request = std::get_if<MetricRequest>(&point.reading);
+          request != nullptr && request->after && same_motor(point, like)) {
+        double& time = longest[{request->argument, request->at}];
+        time = std::max(time, *request->after);
+      }
+    for (const auto& [load, time] : longest)
+      for (int i = 1; i <= kGrid; ++i) {
+        MetricRequest one = std::get<MetricRequest>(like.reading);
+        one.argument = load.first, one.at = load.second;
+        one.after = time * i / kGrid;
+        list.emplace_back(one);
+      }
     return list;
   }
 

@@ -59,6 +59,7 @@ std::pair<std::string, std::map<std::string, double>> series_of(const Counted& p
                                                                 const std::string& varied) {
   std::map<std::string, double> set;
   for (const NamedValue& one : point->set) set[one.name] = one.name == varied ? 0 : one.value;
+  if (point->after) set[load_of(*point).name] = point->at;
   return {table_of(*point), std::move(set)};
 }
 
