@@ -115,6 +115,12 @@ TEST_CASE("every derivative of a warm motor is that of differences (H6.1)",
     // by the ratio itself, of which 3e-4 is a tenth of the way to the resonance, 1e-6
     check_derivatives(design, heat_requests(heat_load(0.5)), 1e-6);
   }
+  SECTION("with a network that follows from the stator") {
+    MotorDesign plate = with_table(warm_plate_motor());
+    plate.thermal->housing.temperature_limit = kZero + 300;
+    // A plate is solved to 1e-12 of its frequency, of which 3e-4 is a tenth of the way to the resonance.
+    check_derivatives(plate, heat_requests(heat_load(0.3)), 1e-5);
+  }
   SECTION("with moduli given outright") {
     design.layer.given_shear_modulus = 0.33e9;
     design.layer.given_shear_viscosity = 60;

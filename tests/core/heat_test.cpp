@@ -5,6 +5,8 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/heat.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
 
 #include "support/csv_rows.hpp"
@@ -315,4 +317,49 @@ TEST_CASE("thermal blocks that mean nothing are refused, each with its reason",
   const std::vector<HeatPhase> none;
   CHECK_THROWS_AS(heat_cycle(usual_network(), none), InputError);
   CHECK_THROWS_AS(heat_cycle(usual_network(), std::vector<HeatPhase>{{kUsual, 0}}), InputError);
+}
+
+TEST_CASE("a network follows from the stator's geometry and materials (H1.7, H1.8, H1.9)",
+          "[core][heat]") {
+  MotorDesign design = warm_plate_motor();
+  const stator::StatorGeometry& g = *design.stator.geometry;
+  // Written out with the numbers of distinct_stator(); rounding only.
+  const HeatNetwork network = heat_network(design);
+  CHECK(network.stator_housing ==
+        Approx(2 * std::numbers::pi * 77 * 1.4e-3 / std::log(0.0210 / 0.0125)).epsilon(1e-13));
+  const double gap = 90 * 0.6e-3;
+  CHECK(network.stator_contact ==
+        Approx(77 * (2 * std::numbers::pi * design.stator.contact_radius - gap) *
+               design.stator.contact_width / 1.5e-3)
+            .epsilon(1e-13));
+  // With one specific heat, that of the glue, the capacity is that times the mass, which the plate has by its laminate.
+  design.stator.geometry->substrate.specific_heat = design.stator.geometry->ceramic.specific_heat =
+      1100;
+  CHECK(heat_network(design).stator_capacity ==
+        Approx(1100 * evaluate(Motor(design), {Metric::stator_mass}).value).epsilon(1e-12));
+  // What is given counts.
+  design.thermal->conductances.stator_housing = 0.7;
+  CHECK(heat_network(design).stator_housing == 0.7);
+  CHECK(heat_network(design).stator_contact == network.stator_contact);
+  CHECK(complaints(design).empty());
+  REQUIRE(g.web);
+}
+
+TEST_CASE("what does not follow from the stator has to be given", "[core][heat][edge_case]") {
+  const auto refused = [](const MotorDesign& design, const std::string& name) {
+    const auto said = complaints(design);
+    return !said.empty() && said.front().starts_with(name);
+  };
+  MotorDesign free = warm_plate_motor();
+  free.stator.geometry->support = stator::InnerEdge::free;
+  CHECK(refused(free, "conductance_stator_housing"));
+  MotorDesign flat = warm_plate_motor();
+  flat.stator.geometry->teeth.reset();
+  CHECK(refused(flat, "conductance_stator_contact"));
+  MotorDesign unknown = warm_plate_motor();
+  unknown.stator.geometry->ceramic.specific_heat.reset();
+  CHECK(refused(unknown, "stator_heat_capacity"));
+  MotorDesign bare = warm_plate_motor();
+  bare.stator.geometry->substrate.conductivity.reset();
+  CHECK(refused(bare, "conductance_stator_contact"));
 }

@@ -7,11 +7,13 @@ import tree
 # Value -> unit and the range of what is plausible in it.
 ALL = {"youngs_modulus": ("GPa", 0.01, 1000), "poisson_ratio": ("", 0, 0.5), "density": ("kg/m^3", 500, 20000)}
 VALUES = {
-    "metal": ALL | {"loss_factor": ("", 1e-6, 0.1)},
+    "metal": ALL | {"loss_factor": ("", 1e-6, 0.1), "conductivity": ("W/(m.K)", 1, 500),
+                    "specific_heat": ("J/(kg.K)", 100, 2000)},
     "piezoceramic": ALL | {"d31": ("pm/V", -500, -10), "permittivity": ("nF/m", 1, 100),
-                           "loss_tangent": ("", 1e-4, 0.1), "quality_factor": ("", 10, 10000)},
+                           "loss_tangent": ("", 1e-4, 0.1), "quality_factor": ("", 10, 10000),
+                           "specific_heat": ("J/(kg.K)", 100, 2000)},
     "lining": ALL | {"loss_factor": ("", 1e-6, 1), "kinetic_friction": ("", 0.01, 1), "static_friction": ("", 0.01, 1),
-                     "specific_wear": ("mm^3/(N.m)", 1e-10, 1e-2)},
+                     "specific_wear": ("mm^3/(N.m)", 1e-10, 1e-2), "conductivity": ("W/(m.K)", 0.02, 10)},
 }
 HEAD = re.compile(r"(?P<key>twum_material|name|kind): (?P<value>\S+)$")
 VALUE = re.compile(r"  (?P<key>\w+): \{value: (?P<number>\S+?)(?: (?P<unit>\S+))?, source: (?P<source>\w+)\}$")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/driven_motors.hpp"
+#include "support/plate_motors.hpp"
 
 #include <twum/core/heat.hpp>
 #include <twum/core/metrics.hpp>
@@ -66,16 +67,36 @@ inline double part_off(double found, double right) {
   return std::fabs(found - right) / std::fabs(right);
 }
 
+/// True for what the stator's materials are in the heat network.
+inline bool of_stator_heat(Parameter parameter) {
+  return parameter == Parameter::substrate_conductivity ||
+         parameter == Parameter::substrate_specific_heat ||
+         parameter == Parameter::ceramic_specific_heat;
+}
+
+/// plate_motor() with the network N1, but for what follows from its geometry and materials.
+inline MotorDesign warm_plate_motor() {
+  MotorDesign design = with_heat(plate_motor());
+  stator::StatorGeometry& g = *design.stator.geometry;
+  g.substrate.conductivity = 77, g.substrate.specific_heat = 380, g.ceramic.specific_heat = 350;
+  Thermal& t = *design.thermal;
+  t.ambient = t.reference.emplace(kZero + 20);
+  t.stator.heat_capacity.reset();
+  t.conductances.stator_contact.reset(), t.conductances.stator_housing.reset();
+  return design;
+}
+
 /// True for parameters that say nothing of a motor without temperatures or wear.
 inline bool of_heat(Parameter parameter) {
   const std::string_view entry = info(parameter).file_entry;
   return entry.starts_with("thermal.") || entry.starts_with("wear.") ||
-         parameter == Parameter::conductivity;
+         parameter == Parameter::conductivity || of_stator_heat(parameter);
 }
 
 /// A motor that gives such a parameter.
 inline MotorDesign motor_that_gives(Parameter parameter) {
   using P = Parameter;
+  if (of_stator_heat(parameter)) return warm_plate_motor();
   MotorDesign design = warm_motor();
   Thermal& t = *design.thermal;
   design.layer.conductivity = 0.25;

@@ -4,6 +4,7 @@
 #include "design/layer_properties.hpp"
 #include "design/parameter_slopes.hpp"
 #include "design/plate_numbers.hpp"
+#include "design/stator_heat.hpp"
 
 #include <twum/base/dual.hpp>
 
@@ -45,6 +46,7 @@ std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
         values[i].d[0] = (*plate)[index_of(*number)][moved];
     if (of_warm_plate) values[moved].d[0] = 1;
     values = with_alternatives(design, values);
+    if (plate) add_stator_heat(design, values);
     for (std::size_t i = 0; i < kParameterCount; ++i)
       if (values[i].d[0] != 0) slopes.push_back({i, moved, values[i].d[0]});
   }

@@ -2,6 +2,7 @@
 #include "design/thermal_design.hpp"
 
 #include "design/layer_properties.hpp"
+#include "design/stator_heat.hpp"
 
 #include <twum/base/no_value.hpp>
 
@@ -45,11 +46,12 @@ std::string of_one_node(const MotorDesign& design) {
 }
 
 // Heat has to leave every mass: stator and rotor hang together, the housing may hang alone.
-bool is_closed_off(const ThermalConductances& g) {
+bool is_closed_off(const MotorDesign& design) {
+  const ThermalConductances& g = design.thermal->conductances;
   const auto open = [](const std::optional<double>& path) { return path.value_or(0) > 0; };
   const bool ring = open(g.stator_ambient) || open(g.rotor_ambient),
              housing = open(g.housing_ambient);
-  const bool joined = open(g.stator_housing) || open(g.rotor_housing);
+  const bool joined = stator_housing_conductance(design) > 0 || open(g.rotor_housing);
   return joined ? !(ring || housing) : !(ring && housing);
 }
 
@@ -60,7 +62,7 @@ std::string of_three_masses(const MotorDesign& design) {
              " must be given with thermal, or one_node with the rise and the time constant of a "
              "data "
              "sheet, but is missing";
-  if (is_closed_off(design.thermal->conductances))
+  if (is_closed_off(design))
     return "conductance_housing_ambient must be more than 0 W/K, or another path lead to the "
            "ambient, but the heat has no way out";
   return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "design/motor_rows.hpp"
+#include "design/stator_heat.hpp"
 #include "design/thermal_design.hpp"
 
 #include <array>
@@ -63,13 +64,65 @@ bool is_there(const MotorDesign& design) {
   return !std::isnan(number_at<&MotorDesign::thermal, path...>(design));
 }
 
+/// True if the lining's own conductivity counts.
+inline bool lining_conducts(const MotorDesign& d) { return d.thermal && d.layer.conductivity; }
+
+/// A number of the stator's materials for heat; null without a geometry.
+template <auto block, auto member, typename Design>
+auto* of_material(Design& design) {
+  auto& geometry = design.stator.geometry;
+  return geometry ? &((*geometry).*block.*member) : nullptr;
+}
+
+template <auto block, auto member>
+bool material_has(const MotorDesign& design) {
+  const auto* number = of_material<block, member>(design);
+  return number && number->has_value();
+}
+
+template <auto block, auto member>
+constexpr ParameterPlace of_stator() {
+  return ParameterPlace{
+      [](const MotorDesign& d) {
+        const auto* number = of_material<block, member>(d);
+        return number ? number->value_or(kNoValue) : kNoValue;
+      },
+      [](const MotorDesign& d) { return d.thermal && material_has<block, member>(d); },
+      [](MotorDesign& d, double value) {
+        auto* number = of_material<block, member>(d);
+        if (number) *number = value;
+        return number != nullptr;
+      }}
+      .kept_if(material_has<block, member>);
+}
+
 /// Rows of the parameter table for heat. Every motor does without them.
 inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
     {{P::conductivity, "conductivity", "", "W/(m.K)", "contact_layer.conductivity", 1e-3, 1e4,
       false, false, kNoAlternative, "0.25 W/(m.K)",
       "thermal conductivity of the lining; gives conductance_lining",
       "a tenth of the best foam to five times diamond", "none", false},
-     optional_number<&ContactLayer::conductivity>()},
+     optional_number<&ContactLayer::conductivity>()
+         .used_if(lining_conducts)
+         .kept_if(has<&ContactLayer::conductivity>)},
+    {{P::substrate_conductivity, "substrate_conductivity", "", "W/(m.K)",
+      "stator.geometry.substrate.conductivity", 1e-3, 1e4, false, false, kNoAlternative,
+      "77 W/(m.K)",
+      "thermal conductivity of the metal; gives conductance_stator_housing of a clamped web and "
+      "conductance_stator_contact of teeth",
+      "as conductivity", "none", false},
+     of_stator<&stator::StatorGeometry::substrate, &stator::Substrate::conductivity>()},
+    {{P::substrate_specific_heat, "substrate_specific_heat", "", "J/(kg.K)",
+      "stator.geometry.substrate.specific_heat", 1, 1e5, false, false, kNoAlternative,
+      "380 J/(kg.K)",
+      "specific heat of the metal; gives stator_heat_capacity with that of the ceramic",
+      "from metals at 10 K to ten times hydrogen", "none", false},
+     of_stator<&stator::StatorGeometry::substrate, &stator::Substrate::specific_heat>()},
+    {{P::ceramic_specific_heat, "ceramic_specific_heat", "", "J/(kg.K)",
+      "stator.geometry.ceramic.specific_heat", 1, 1e5, false, false, kNoAlternative, "350 J/(kg.K)",
+      "specific heat of the piezoceramic; gives stator_heat_capacity with that of the metal",
+      "as substrate_specific_heat", "none", false},
+     of_stator<&stator::StatorGeometry::ceramic, &stator::Ceramic::specific_heat>()},
     {{P::ambient_temperature, "ambient_temperature", "", "K", "thermal.ambient", 1, 3000, false,
       false, kNoAlternative, "20 degC", "temperature around the motor",
       "from liquid helium to beyond any ceramic", "20 degC", false, true},
@@ -84,8 +137,10 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
     {{P::stator_heat_capacity, "stator_heat_capacity", "", "J/K", "thermal.stator.heat_capacity",
       1e-9, 1e9, false, false, kNoAlternative, "25 J/K", "heat capacity of metal and ceramic",
       "from a silicon disc of 10 um to 2000 t of steel",
-      "none; the model with three masses needs it", false},
-     of_heat<&Thermal::stator, &ThermalBody::heat_capacity>()},
+      "that of the geometry and its materials; the model with three masses needs it", false},
+     of_heat<&Thermal::stator, &ThermalBody::heat_capacity>()
+         .read_by(stator_heat_capacity)
+         .used_if(is_there<&Thermal::stator, &ThermalBody::heat_capacity>)},
     {{P::stator_temperature_limit, "stator_temperature_limit", "", "K", "thermal.stator.limit", 1,
       3000, false, false, kNoAlternative, "80 degC", "highest stator temperature",
       "as ambient_temperature", "no limit", false, true},
@@ -117,8 +172,10 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
       "thermal.conductances.stator_contact", 1e-12, 1e9, false, false, kNoAlternative, "15 W/K",
       "thermal conductance from the stator through its teeth to the contact",
       "1 pW/K transmits practically no heat; at 1 GW/K both sides have one temperature",
-      "none; the model with three masses needs it", false},
-     of_heat<&Thermal::conductances, &ThermalConductances::stator_contact>()},
+      "that of the teeth of the geometry; the model with three masses needs it", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::stator_contact>()
+         .read_by(stator_contact_conductance)
+         .used_if(is_there<&Thermal::conductances, &ThermalConductances::stator_contact>)},
     {{P::conductance_lining, "conductance_lining", "", "W/K", "thermal.conductances.lining", 1e-12,
       1e9, false, false, kNoAlternative, "0.333 W/K",
       "thermal conductance from the contact through the lining to the rotor",
@@ -131,8 +188,10 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
       "thermal.conductances.stator_housing", 0, 1e9, false, false, kNoAlternative, "0.8 W/K",
       "thermal conductance from the stator through the web to the housing",
       "0 is no path; at 1 GW/K both sides have one temperature",
-      "none; the model with three masses needs it", false},
-     of_heat<&Thermal::conductances, &ThermalConductances::stator_housing>()},
+      "that of the clamped web of the geometry; the model with three masses needs it", false},
+     of_heat<&Thermal::conductances, &ThermalConductances::stator_housing>()
+         .read_by(stator_housing_conductance)
+         .used_if(is_there<&Thermal::conductances, &ThermalConductances::stator_housing>)},
     {{P::conductance_rotor_housing, "conductance_rotor_housing", "", "W/K",
       "thermal.conductances.rotor_housing", 0, 1e9, false, false, kNoAlternative, "0.25 W/K",
       "thermal conductance from the rotor through bearing and shaft to the housing",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/heat.hpp>
 
+#include "design/stator_heat.hpp"
 #include "design/thermal_design.hpp"
 #include "heat/heat_modes.hpp"
 
@@ -77,12 +78,12 @@ HeatNetwork heat_network(const MotorDesign& design, const HeatLosses& at_referen
   if (thermal.one_node) return one_node_network(*thermal.one_node, at_reference.sum());
   const ThermalConductances& g = thermal.conductances;
   const auto path = [](const std::optional<double>& given) { return given.value_or(0); };
-  return {path(thermal.stator.heat_capacity),
+  return {stator_heat_capacity(design),
           path(thermal.rotor.heat_capacity),
           path(thermal.housing.heat_capacity),
-          path(g.stator_contact),
+          stator_contact_conductance(design),
           lining_conductance(design),
-          path(g.stator_housing),
+          stator_housing_conductance(design),
           path(g.rotor_housing),
           path(g.housing_ambient),
           path(g.stator_ambient),

@@ -2,6 +2,7 @@
 #include "metrics/heat_numbers.hpp"
 
 #include "curve/curve.hpp"
+#include "design/stator_heat.hpp"
 
 #include <twum/base/dual.hpp>
 
@@ -30,6 +31,27 @@ void take_slope(std::array<std::array<double, columns>, rows>& into,
     for (std::size_t j = 0; j < columns; ++j) into[i][j] = moving[i][j].d[path];
 }
 
+// The number itself, or what it follows from (H1.7, H1.8, H1.9): the parameters of the geometry, one after the other.
+Gradient of_stator(const MotorDesign& design, P number) {
+  using Moving = Dual<double, 1>;
+  Gradient g{};
+  if (in_use(design, number)) {
+    g[index_of(number)] = 1;
+    return g;
+  }
+  ParameterArray<Moving> still;
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    still[i] = Moving(get(design, static_cast<Parameter>(i)));
+  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
+    if (!in_use(design, static_cast<Parameter>(moved))) continue;
+    ParameterArray<Moving> values = still;
+    values[moved].d[0] = 1;
+    add_stator_heat(design, values);
+    if (moved != index_of(number)) g[moved] = values[index_of(number)].d[0];
+  }
+  return g;
+}
+
 // G_l itself, or what it follows from (H1.6).
 Gradient of_lining(const MotorDesign& design) {
   Gradient g{};
@@ -55,16 +77,13 @@ std::vector<NetworkNumber> of_masses(const MotorDesign& design, const HeatNetwor
     NetworkNumber& one = numbers.emplace_back();
     take_slope(one.slope.K, moving.K, j), take_slope(one.slope.B, moving.B, j);
     take_slope(one.slope.M, moving.M, j), take_slope(one.slope.D, moving.D, j);
-    if (j == kL)
-      one.by = of_lining(design);
-    else
-      one.by[index_of(kPathParameters[j])] = 1;
+    one.by = j == kL ? of_lining(design) : of_stator(design, kPathParameters[j]);
   }
   for (std::size_t i = 0; i < kMasses; ++i) {
     NetworkNumber& one = numbers.emplace_back();
     one.slope = zero_matrices<double>();
     one.capacities[i] = 1;
-    one.by[index_of(kCapacities[i])] = 1;
+    one.by = of_stator(design, kCapacities[i]);
   }
   return numbers;
 }

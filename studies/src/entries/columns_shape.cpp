@@ -76,7 +76,8 @@ bool check_quantity(const YamlEntry& entry, const Spot& spot, Diagnostics& diagn
   constexpr std::string_view kDeviation = "_sd";
   std::string_view name = entry.key;
   if (name.ends_with(kDeviation)) name.remove_suffix(kDeviation.size());
-  if (is_measured_heading(name) && name.find_first_of(" [(/") == std::string_view::npos)
+  if ((is_measured_heading(name) || name == "time") &&
+      name.find_first_of(" [(/") == std::string_view::npos)
     return true;
   diagnostics.add(entry.key_mark, spot.entry(entry.key, entry.key_mark).path,
                   quoted(entry.key) + " is not a quantity that a table may contain",

@@ -26,8 +26,9 @@ the other. This page is the output of `twum parameters --format markdown`.)text"
 
 constexpr const char* kMetricsText =
     R"text(Names as in studies and `twum evaluate --metrics`. The argument of a point metric, such as a rotor speed or a
-load torque, is recognized by its unit: `efficiency_at(100 rpm)`, `efficiency_at(0.5 N.m)`. This page is the
-output of `twum metrics --format markdown`.)text";
+load torque, is recognized by its unit: `efficiency_at(100 rpm)`, `efficiency_at(0.5 N.m)`. With a time, a
+temperature is that of a motor which took up the load so long ago: `stator_temperature_at(0.5 N.m, 10 min)`.
+This page is the output of `twum metrics --format markdown`.)text";
 
 std::string range_text(const ParameterInfo& row) {
   const auto limit = [&](double value) {
@@ -81,7 +82,8 @@ Listing metrics() {
   Listing listing{"Metrics of a motor", kMetricsText, {"name", "unit", "at", "text"}, {}};
   for (const MetricInfo& row : metric_table()) {
     listing.rows.push_back({std::string(row.name), std::string(row.unit),
-                            argument_text(row.argument), std::string(row.text)});
+                            argument_text(row.argument) + (row.timed ? "; a time" : ""),
+                            std::string(row.text)});
   }
   return listing;
 }

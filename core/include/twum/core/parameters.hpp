@@ -57,6 +57,9 @@ enum class Parameter : unsigned char {
   preload,
   // of heat
   conductivity,
+  substrate_conductivity,
+  substrate_specific_heat,
+  ceramic_specific_heat,
   ambient_temperature,
   reference_temperature,
   stator_heat_capacity,

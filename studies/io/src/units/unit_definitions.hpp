@@ -130,6 +130,7 @@ inline constexpr NamedDimension kDimensions[] = {
     {"J/K", "heat capacity"},
     {"m^2/N", "specific wear"},
     {"W/(m.K)", "conductivity for heat"},
+    {"J/(kg.K)", "specific heat"},
     {"1/K", "change per kelvin"},
 };
 

@@ -22,6 +22,13 @@ std::optional<Reading> reading_of(std::string_view name) {
   return MetricRequest{*metric, info(*metric).argument, 0};
 }
 
+std::string in_small_letters(std::string_view name) {
+  std::string small(name);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
 class ColumnReader {
  public:
   ColumnReader(const std::vector<ColumnHeading>& headings, Diagnostics& diagnostics)
@@ -128,7 +135,8 @@ class ColumnReader {
       column.expected = name == "speed" ? "rad/s" : "N.m";
       return column;
     }
-    if (name == kTime && has_timed_) {  // otherwise a logger's, which says nothing of the motor
+    if (has_timed_ &&
+        in_small_letters(name) == kTime) {  // otherwise a logger's, which says nothing of the motor
       column.role = ColumnRole::time;
       column.expected = "s";
       return column;
@@ -299,13 +307,6 @@ namespace {
 
 bool is_measured_name(std::string_view name) {
   return reading_of(name) || name == "speed" || name == "weight" || parameter_named(name);
-}
-
-std::string in_small_letters(std::string_view name) {
-  std::string small(name);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
 }
 
 // Short names are symbols, of which another case means something else.

@@ -202,6 +202,11 @@ Dual<T, N> exp(const Dual<T, N>& x) {
   const T f = exp(x.v);
   return detail::chain(x, f, f);
 }
+template <typename T, int N>
+Dual<T, N> log(const Dual<T, N>& x) {
+  using std::log;
+  return detail::chain(x, T(log(x.v)), T(1.0 / x.v));
+}
 /// exp(x) - 1 and log(1 + x), accurate where x is small.
 template <typename T, int N>
 Dual<T, N> expm1(const Dual<T, N>& x) {
