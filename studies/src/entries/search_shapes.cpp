@@ -183,6 +183,16 @@ void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics
           "leave out one of them: a derived parameter has one value");
 }
 
+// One path twice; another path to the same file shows when the tables are read.
+void check_tables(const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* data = given.right("data");
+  if (data == nullptr) return;
+  Repeats repeats(given.path("data"), "its points would count twice; leave one of them out",
+                  diagnostics);
+  for (const YamlNode& table : data->items)
+    repeats.see(table, std::filesystem::path(table.scalar).lexically_normal().string());
+}
+
 bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
   const optim::SolverInfo& solver =
       optim::least_squares_solvers()[static_cast<std::size_t>(study.solver)];
@@ -194,6 +204,7 @@ bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnosti
     diagnostics.add(given.find("loss")->mark, given.path("loss"),
                     "'huber' together with 'scatter: by-column'",
                     "one of them: the scatter of a column is estimated from squares");
+  check_tables(given, diagnostics);
   check_per_file(study, given, diagnostics);
   return refuse_whole_numbers(study, given, diagnostics);
 }

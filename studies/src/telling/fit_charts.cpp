@@ -2,6 +2,7 @@
 #include "telling/fit_charts.hpp"
 
 #include "telling/goal_parts.hpp"
+#include "telling/load_parts.hpp"
 
 #include <twum/io/words.hpp>
 #include <twum/motors/plain_name.hpp>
@@ -50,18 +51,48 @@ std::string chart_name(const FitCurve& curve) {
   return "fit " + curve.quantity + (common ? "" : " " + curve.over.name);
 }
 
+// Numbers of a quantity as they are read: absolute temperatures in degrees.
+struct Shown {
+  std::string unit;
+  double zero{0}, size{1};  // [SI]
+
+  double number(double value) const { return (value - zero) / size; }
+  std::vector<double> numbers(std::vector<double> values) const {
+    for (double& one : values) one = number(one);
+    return values;
+  }
+};
+
+Shown shown_values(const std::string& quantity, const std::string& unit) {
+  if (unit == "K" && is_temperature(quantity)) return {"degC", -in_celsius(0)};
+  return {unit};
+}
+
+Shown shown_places(const CurveKind& kind) {
+  const NamedValue& over = kind.front()->over;
+  if (over.name != "time") return {over.unit};
+  double last = 0;
+  for (const FitCurve* curve : kind) last = std::max(last, curve->at.back());
+  const TimeUnit unit = time_unit(last);
+  return {unit.unit, 0, unit.seconds};
+}
+
 // Line, band and points of a curve; alone in the colours of a single fit.
-void add_curve(Chart& chart, const CalibrateResult& answer, const FitCurve& curve, bool alone,
-               const std::string& colour) {
-  Series line{name_of(curve), Stroke::line, {"", curve.at}, {"", curve.value}, colour};
+void add_curve(Chart& chart, const CalibrateResult& answer, const FitCurve& curve, const Shown& x,
+               const Shown& y, bool alone, const std::string& colour) {
+  Series line{name_of(curve),
+              Stroke::line,
+              {"", x.numbers(curve.at)},
+              {"", y.numbers(curve.value)},
+              colour};
   if (std::ranges::any_of(curve.low, [](double low) { return std::isfinite(low); })) {
-    line.low.values = curve.low, line.high.values = curve.high;
+    line.low.values = y.numbers(curve.low), line.high.values = y.numbers(curve.high);
     line.band = written({share_part(answer.confidence), " band"}, Writing::read);
   }
   Series dots{"measured", Stroke::dots, {}, {}, alone ? "ink" : colour};
   for (const std::size_t i : curve.points) {
-    dots.x.values.push_back(place_on(answer.data[i], curve.over));
-    dots.y.values.push_back(answer.data[i].value);
+    dots.x.values.push_back(x.number(place_on(answer.data[i], curve.over)));
+    dots.y.values.push_back(y.number(answer.data[i].value));
   }
   chart.series.push_back(std::move(line));
   chart.series.push_back(std::move(dots));
@@ -74,12 +105,13 @@ Section fit_section(const CalibrateResult& answer, const CurveKind& kind, bool n
   section.wide = !named;
   const bool from_zero =
       first.over.name == "speed" || first.over.name == "torque" || first.over.name == "time";
+  const Shown x = shown_places(kind), y = shown_values(first.quantity, first.unit);
   Chart chart{chart_name(first),
               section.heading,
-              {{name_part(first.over.name)}, first.over.unit, from_zero},
-              {{quantity}, first.unit}};
+              {{name_part(first.over.name)}, x.unit, from_zero},
+              {{quantity}, y.unit}};
   for (std::size_t i = 0; i < kind.size(); ++i)
-    add_curve(chart, answer, *kind[i], kind.size() == 1, colour_of(i));
+    add_curve(chart, answer, *kind[i], x, y, kind.size() == 1, colour_of(i));
   section.charts = {chart};
   return section;
 }

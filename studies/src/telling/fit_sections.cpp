@@ -205,8 +205,8 @@ Section points(const CalibrateResult& answer) {
   for (std::size_t i = 0; i < answer.data.size(); ++i) {
     const Reading& point = answer.data[i];
     table.rows.push_back({reading_phrase(point),
-                          {value_part(point.value, point.unit)},
-                          {value_part(point.fitted, point.unit)},
+                          {named_part(point.quantity, point.value, point.unit)},
+                          {named_part(point.quantity, point.fitted, point.unit)},
                           {value_part(point.residual, point.unit, 3)}});
     if (stated)
       table.rows.back().push_back({value_part(

@@ -30,6 +30,7 @@ Phrase goal_name(const Goal& goal) {
 }
 
 bool is_temperature(const std::string& name) {
+  if (const auto metric = find_metric(name)) return info(*metric).absolute;
   try {
     return is_absolute(parse_side(name));
   } catch (const ValueError&) {

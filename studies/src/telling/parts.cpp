@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/load_parts.hpp"
+
 #include <twum/studies/telling.hpp>
 
 #include <twum/io/engineering.hpp>
@@ -178,9 +180,12 @@ std::string between(const std::string& name, const std::string& unit, double low
 }
 
 std::string read_motor_limit(const MotorLimit& limit, Writing writing) {
-  if (limit.sides.empty())
-    return between(read_name(limit.metric.text, writing), limit.metric.unit(), limit.lower,
-                   limit.upper, writing);
+  if (limit.sides.empty()) {
+    const std::string name = read_name(limit.metric.text, writing);
+    if (is_absolute(limit.metric))
+      return between(name, "degC", in_celsius(limit.lower), in_celsius(limit.upper), writing);
+    return between(name, limit.metric.unit(), limit.lower, limit.upper, writing);
+  }
   std::string text;
   for (const MetricExpression& side : limit.sides)
     text += (text.empty()                 ? ""
