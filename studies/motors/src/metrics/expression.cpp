@@ -153,7 +153,9 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
   const std::string_view argument = trimmed(text.substr(open + 1, text.size() - open - 2));
   std::vector<std::string_view> pieces = split_list(argument);
   const std::optional<double> after = take_time(metric, pieces, text);
-  if (pieces.size() > 2)
+  const bool held =
+      metric.argument == Argument::both || metric.argument == Argument::speed_or_torque;
+  if (pieces.size() > 2 && held)
     throw ValueError(std::string(metric.name) + " takes " +
                          (metric.timed ? "a torque, a speed and a time at most"
                                        : "a torque and a speed at most"),
@@ -163,7 +165,7 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
     throw ValueError(quoted(text) + " needs " + argument_phrase(metric.argument),
                      "expected one such as '" + usage(metric) + "'", text.size());
   const auto at = static_cast<std::size_t>(pieces.front().data() - text.data());
-  MetricRequest request = pieces.size() == 2 ? parse_held(metric, pieces[0], pieces[1], text)
+  MetricRequest request = pieces.size() >= 2 ? parse_held(metric, pieces[0], pieces[1], text)
                                              : parse_argument(metric, pieces[0], at);
   request.after = after;
   return request;
