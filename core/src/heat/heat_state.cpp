@@ -284,6 +284,22 @@ std::vector<HeatState> HeatSolver::marched_to(const HeatState& start, double dur
   return states;
 }
 
+HeatSolver::Way::Way(const HeatSolver& solver, const HeatState& start, double tolerance)
+    : states_{start}, tolerance_(tolerance), next_(solver.fastest_ / 2) {
+  lost_ = start.status != MetricStatus::ok;
+}
+
+// As marched_to(), but for its last steps.
+void HeatSolver::Way::go_on(const HeatSolver& solver, double until) {
+  while (!lost_ && states_.back().time < until) {
+    const double longest =
+        std::max(solver.fastest_ / 2, (states_.back().time - states_.front().time) / 2);
+    const Advance done = solver.one_step(states_.back(), std::min(next_, longest), tolerance_);
+    lost_ = done.state.status != MetricStatus::ok;
+    if (!lost_) states_.push_back(done.state), next_ = done.next;
+  }
+}
+
 std::vector<HeatState> HeatSolver::followed(const HeatState& start, double duration,
                                             double tolerance) const {
   return marched_to(start, duration, tolerance, fastest_ / 2);

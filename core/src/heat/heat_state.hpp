@@ -80,6 +80,19 @@ class HeatSolver {
   /// halves [K]; ends at the time, or with a status where the point is lost. A step takes at most half of the fastest time
   /// constant, or of the time since the beginning: modes that still move then have passed one extreme at most.
   std::vector<HeatState> followed(const HeatState& state, double duration, double tolerance) const;
+  /// The way of followed() without an end. No step depends on how far it will be followed.
+  class Way {
+   public:
+    Way(const HeatSolver& solver, const HeatState& start, double tolerance);
+    /// Steps on until a time, or to where the point is lost. All states are ok but the first may not be.
+    void go_on(const HeatSolver& solver, double until);
+    const std::vector<HeatState>& states() const { return states_; }
+
+   private:
+    std::vector<HeatState> states_;
+    double tolerance_, next_;
+    bool lost_{false};
+  };
   /// The end alone, in steps as long as their error allows.
   HeatState advanced(const HeatState& state, double duration, double tolerance) const;
   HeatState cold() const { return at_masses({}, ambient_nodes()); }

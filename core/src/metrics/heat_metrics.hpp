@@ -145,15 +145,16 @@ class HeatMetrics {
   };
   DutyLimit duty_limit(const LoadPoint& load);
   MetricDerivative of_duty_limit(const LoadPoint& load, const MetricValue& value, bool fixed);
-  /// The first minutes of a load, from ambient temperature on, for as long as a power of two of seconds.
+  /// A load from ambient temperature on, for as long as was asked. No state depends on what else is asked.
   struct WarmUp {
     LoadPoint load;
-    double time;
     HeatCourse course;
-    HeatCourse::Lap lap;
+    HeatSolver::Way way;
+    HeatCourse::Lap lap{};  // its states
     std::unique_ptr<CourseSensitivity> sensitivity{};
   };
-  WarmUp& warm_up(const MetricRequest& request);
+  WarmUp& warm_up(const LoadPoint& load);
+  HeatCourse::Moment moment_of(WarmUp& warm, double time);
   double after(const MetricRequest& request);
   MetricDerivative of_after(const MetricRequest& request, const MetricValue& value, bool fixed);
   double voltage_to_spare(double temperature) const;

@@ -75,34 +75,35 @@ MetricDerivative HeatMetrics::of_peak(std::size_t part, const MetricValue& value
   return derivative(value, moved[part], 1);
 }
 
-// Times that share a course find the same states in it, whichever is asked first.
-HeatMetrics::WarmUp& HeatMetrics::warm_up(const MetricRequest& request) {
-  const LoadPoint load = load_of(request);
-  const double time = *request.after > 0 ? std::exp2(std::ceil(std::log2(*request.after))) : 1;
+HeatMetrics::WarmUp& HeatMetrics::warm_up(const LoadPoint& load) {
   for (WarmUp& one : warm_ups_)
-    if (one.load == load && one.time == time) return one;
-  HeatCourse course(design_, std::vector{LoadPhase{load, time}});
-  HeatCourse::Lap lap{course.phases().front().solver.followed(course.phases().front().solver.cold(),
-                                                              time, kCourseError)};
-  const MetricStatus end = lap.front().back().status;
-  if (end != MetricStatus::ok) lap.front().pop_back();
-  if (lap.front().empty()) throw SearchFailure{end};
-  return warm_ups_.emplace_back(WarmUp{load, time, std::move(course), std::move(lap)});
+    if (one.load == load) return one;
+  HeatCourse course(design_, std::vector{LoadPhase{load, 1}});
+  const HeatSolver& solver = course.phases().front().solver;
+  const HeatState cold = solver.cold();
+  if (cold.status != MetricStatus::ok) throw SearchFailure{cold.status};
+  HeatSolver::Way way(solver, cold, kCourseError);
+  return warm_ups_.emplace_back(WarmUp{load, std::move(course), std::move(way)});
+}
+
+HeatCourse::Moment HeatMetrics::moment_of(WarmUp& warm, double time) {
+  warm.way.go_on(warm.course.phases().front().solver, time);
+  warm.lap = {warm.way.states()};
+  return warm.course.at(warm.lap, time);
 }
 
 double HeatMetrics::after(const MetricRequest& request) {
-  const WarmUp& warm = warm_up(request);
-  return warm.course.temperature(warm.course.at(warm.lap, *request.after),
-                                 *part_of(request.metric));
+  WarmUp& warm = warm_up(load_of(request));
+  return warm.course.temperature(moment_of(warm, *request.after), *part_of(request.metric));
 }
 
 MetricDerivative HeatMetrics::of_after(const MetricRequest& request, const MetricValue& value,
                                        bool fixed) {
-  WarmUp& warm = warm_up(request);
+  WarmUp& warm = warm_up(load_of(request));
+  const HeatCourse::Moment moment = moment_of(warm, *request.after);
   if (!warm.sensitivity || warm.sensitivity->is_with_fixed_static_friction() != fixed)
     warm.sensitivity = std::make_unique<CourseSensitivity>(design_, warm.course, warm.lap, fixed);
-  const auto moved = warm.sensitivity->from_cold(warm.course.at(warm.lap, *request.after));
-  return derivative(value, moved[*part_of(request.metric)], 1);
+  return derivative(value, warm.sensitivity->from_cold(moment)[*part_of(request.metric)], 1);
 }
 
 // The warm-up up to the first limit, or to where the point is lost.

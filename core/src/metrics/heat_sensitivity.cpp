@@ -175,10 +175,8 @@ const CourseSensitivity::Moves& CourseSensitivity::to(std::size_t phases) {
 }
 
 CourseSensitivity::Moves CourseSensitivity::to(const HeatCourse::Moment& moment) {
-  const HeatState &begin = lap_[moment.phase].front(), &end = lap_[moment.phase].back();
-  if (moment.time == end.time) return to(moment.phase + 1);
   to(moment.phase);
-  return through(moment.phase, moment.time - begin.time);
+  return through(moment.phase, moment.time - lap_[moment.phase].front().time);
 }
 
 // The lap returns: S_0 = E S_0 + S, with E the columns of the masses.
