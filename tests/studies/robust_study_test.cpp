@@ -177,7 +177,10 @@ TEST_CASE("a front keeps its yield over measured parts", "[studies][robust]") {
     most = std::max(most, value(point.report.design, "preload"));
     CHECK(point.yields[0].share.value >= 0.75);
   }
-  CHECK(most == Approx(preload_with(0.215)).epsilon(1e-6));
+  // A front is corrected at some of its points. The normal law of the parts, 0.2025 +- 0.0144, has 0.2126 there for 0.215: away from
+  // a corrected point the end may be off by 1.1 % of the way, here on the safe side.
+  CHECK(most <= preload_with(0.215));
+  CHECK(most >= 0.988 * preload_with(0.215));
 }
 
 TEST_CASE("summary and terminal show the yield, its price and where the risk goes",

@@ -52,7 +52,8 @@ RobustResult solved(const RobustProblem& problem) { return solve_robust(problem,
 
 }  // namespace
 
-TEST_CASE("measured rows are drawn by their weights and keep their moments", "[optim][robust]") {
+TEST_CASE("measured rows are drawn by their weights and keep their moments (U1.11)",
+          "[optim][robust]") {
   const MeasuredRows rows = rows_of({{1, 10}, {2, 20}, {4, 10}}, {1, 0, 3});
   CHECK(rows.draw(0.0)[0] == 1);
   CHECK(rows.draw(0.2499)[0] == 1);
@@ -71,7 +72,7 @@ TEST_CASE("measured rows are drawn by their weights and keep their moments", "[o
   CHECK_THROWS_AS(wrong.add(std::vector<double>{1.0, 2.0}, -1), InputError);
 }
 
-TEST_CASE("a yield over measured rows is that of so many rows", "[optim][robust]") {
+TEST_CASE("a yield over measured rows is that of so many rows (U4.4a)", "[optim][robust]") {
   std::vector<std::vector<double>> values;
   for (int i = 1; i <= 10; ++i) values.push_back({i * i * 0.1});
   const MeasuredRows rows = rows_of(values);
