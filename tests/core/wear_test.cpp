@@ -122,6 +122,23 @@ TEST_CASE("a start voltage beyond the drive's ends a life (V2.7)", "[core][wear]
   CHECK(rows >= 1);
 }
 
+TEST_CASE("rates on the way are those of the worn motors by themselves",
+          "[core][wear][differential]") {
+  const MotorDesign design = wearing(driven_with_slices(8), 1e5);
+  const LoadPoint load =
+      GENERATE(LoadPoint{Argument::torque, 0.5, 0}, LoadPoint{Argument::torque, 0.9, 0},
+               LoadPoint{Argument::speed, 9, 0}, LoadPoint{Argument::speed, 0, 0});
+  const auto course = wear_course(design, load, {0, 3e-6, 40e-6, 41e-6, 100e-6});
+  for (const WearPoint& point : course) {
+    CAPTURE(load.at, point.depth);
+    REQUIRE(point.status == MetricStatus::ok);
+    const MetricRequest asked{Metric::wear_rate_at, load.argument, load.at};
+    const double alone = evaluate(Motor(worn_motor(design, point.depth)), asked).value;
+    // the wave is known to 1e-12 of its amplitude, and the wear moves some ten times as much
+    CHECK(std::fabs(point.rate / alone - 1) <= 1e-10);
+  }
+}
+
 TEST_CASE("k scales the time and nothing else (C15.2)", "[core][wear][scaling]") {
   MotorDesign design = wearing(driven_with_slices(1), 1e5);
   const Life once = life(design, torque_load(0.5));
