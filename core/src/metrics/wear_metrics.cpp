@@ -96,7 +96,7 @@ Gradient WearMetrics::end_slope(WearCourse& course, bool fixed) const {
     case EndOfLife::none:
     case EndOfLife::load_lost: throw SearchFailure{MetricStatus::undefined};
   }
-  if (!(u > 0)) throw SearchFailure{MetricStatus::undefined};
+  if (!(u > 0)) return g;  // the new motor violates it, and its neighbours do
   const WearLimit& limit = design_.wear->until[end.limit];
   const MetricDerivative found = twum::differentiate(course.worn_motor(), limit.request, fixed);
   if (found.value.status != MetricStatus::ok || found.smoothness == Smoothness::undefined)
@@ -111,6 +111,7 @@ Gradient WearMetrics::end_slope(WearCourse& course, bool fixed) const {
 MetricDerivative WearMetrics::of_life(const MetricRequest& request, const MetricValue& value,
                                       bool fixed) {
   WearCourse& course = lived(load_of_life(request));
+  if (course.life().depth == 0) return {value, {}, Smoothness::flat};
   const bool turns = counts_turns(request.metric);
   const auto per_depth = [&](double depth) {
     const WearRate at = course.rates().with_slopes(depth, fixed);
