@@ -287,6 +287,32 @@ TEST_CASE("derivatives of lives are those of solving again (V2.7)",
   CHECK(compared > 60);
 }
 
+TEST_CASE(
+    "derivatives of lives in an operation with temperatures are those of solving again (V2.7)",
+    "[core][wear][heat][derivative][differential]") {
+  MotorDesign design = wearing(with_table(warm_motor()), 1e5);
+  design.thermal->drift.specific_wear = 0.01;
+  design.friction.threshold = design.friction.kinetic;
+  design.operation = {{torque_load(0.8), 30, {}}, {torque_load(0.5), 60, 110.0}, {{}, 110, {}}};
+  const std::vector<MetricRequest> requests{{Metric::life}, {Metric::life_revolutions}};
+  const auto exact = differentiate(Motor(design), requests);
+  for (const Parameter parameter :
+       {Parameter::voltage, Parameter::preload_spring, Parameter::ambient_temperature,
+        Parameter::conductance_housing_ambient, Parameter::thickness}) {
+    const double x = get(design, parameter), h = 1e-3 * x;
+    const auto above = values_of(with(design, parameter, x + h), requests),
+               below = values_of(with(design, parameter, x - h), requests);
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      CAPTURE(info(parameter).name, info(requests[k].metric).name);
+      REQUIRE(exact[k].smoothness == Smoothness::smooth);
+      const double slope = (above[k] - below[k]) / (2 * h);
+      // the difference leaves a millionth of the bend, which is some ten times the slope; lives are known to 1e-8
+      const double unit = std::fabs(slope) + std::fabs(exact[k].value.value / x);
+      CHECK(std::fabs(exact[k].gradient[index_of(parameter)] - slope) <= 5e-5 * unit);
+    }
+  }
+}
+
 TEST_CASE("heat and wear together are those of a second program",
           "[core][wear][heat][differential]") {
   for (const CsvRow& row : csv_rows("heat/coupled_life.csv")) {

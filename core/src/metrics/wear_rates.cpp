@@ -2,6 +2,7 @@
 #include "metrics/wear_rates.hpp"
 
 #include "curve/curve.hpp"
+#include "metrics/heat_sensitivity.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -31,6 +32,13 @@ void add(Gradient& to, double factor, const Gradient& more) {
 }
 
 double drift_of(const std::optional<double>& coefficient) { return coefficient.value_or(0); }
+
+// The wear intensity, and the speed unless it is given.
+std::vector<MetricRequest> asked_at(const LoadPoint& load) {
+  std::vector<MetricRequest> asked{at_load(M::wear_intensity_at, load)};
+  if (load.argument == Argument::torque) asked.push_back(at_load(M::speed_at, load));
+  return asked;
+}
 
 std::vector<LoadPhase> shares_of(std::vector<LoadPhase> phases) {
   const double period =
@@ -91,10 +99,9 @@ Gradient WearRates::by_ratio(const std::optional<MetricDerivative>& contact) con
   return g;
 }
 
-// The wear intensity, the speed unless it is given, and the contact's temperature of a motor that has some.
-WearRates::Asked WearRates::asked(const LoadPoint& load) const {
-  Asked asked{at_load(M::wear_intensity_at, load)};
-  if (load.argument == Argument::torque) asked.push_back(at_load(M::speed_at, load));
+// With the temperature of the contact of a motor that has some.
+std::vector<MetricRequest> WearRates::asked(const LoadPoint& load) const {
+  std::vector<MetricRequest> asked = asked_at(load);
   if (!is_warm()) return asked;
   for (MetricRequest& one : asked) one.warm_at = load;
   asked.push_back(at_load(M::contact_temperature_at, load));
@@ -115,86 +122,140 @@ WearRate WearRates::of_load(const LoadPhase& phase, double depth) {
 WearRate WearRates::of_load_with_slopes(const LoadPhase& phase, double depth, bool fixed) {
   const LoadPoint& load = *phase.load;
   const auto found = motors(phase.voltage).differentiate(depth, asked(load), fixed);
-  const MetricDerivative intensity = known(found[0]);
-  std::optional<MetricDerivative> contact;
-  WearRate rate;
-  if (is_warm()) contact = known(found.back()), rate.contact_temperature = contact->value.value;
-  rate.depth = ratio(rate.contact_temperature) * intensity.value.value;
-  add(rate.depth_slope, ratio(rate.contact_temperature), intensity.gradient);
-  add(rate.depth_slope, rate.depth, by_ratio(contact));
-  rate.turns = std::fabs(load.at) / kTurn;
-  if (load.argument == Argument::torque) {
-    const MetricDerivative speed = known(found[1]);
-    rate.turns = std::fabs(speed.value.value) / kTurn;
-    add(rate.turn_slope, 1 / kTurn, speed.gradient);
-  }
+  const auto at = [&](bool there, const MetricDerivative& one) {
+    return there ? std::optional(known(one)) : std::nullopt;
+  };
+  WearRate rate =
+      rate_with_slopes(load, known(found[0]), at(load.argument == Argument::torque, found[1]),
+                       at(is_warm(), found.back()));
   if (phase.voltage)
     rate.depth_slope[index_of(P::voltage)] = rate.turn_slope[index_of(P::voltage)] = 0;
   return rate;
 }
 
-// Of an operation with temperatures: the masses at their means (H5.2), contact and lining at those of each load.
-std::vector<NodeTemperatures> WearRates::mission_temperatures(const MotorDesign& worn) const {
-  const HeatCourse course(worn, worn.operation);
-  const PartValues<double> mean = course.mean(course.periodic());
-  const double ambient = worn.thermal->ambient;
-  std::vector<NodeTemperatures> nodes;
-  for (const CoursePhase& phase : course.phases()) {
-    const HeatState state = phase.solver.at_masses(
-        {mean[0] - ambient, mean[1] - ambient, mean[2] - ambient}, phase.solver.cold_nodes());
-    if (state.status != MetricStatus::ok) throw SearchFailure{state.status};
-    nodes.push_back(state.x);
-  }
-  return nodes;
-}
-
-WearRate WearRates::of_mission(double depth) const {
-  const MotorDesign worn = worn_design(design_, depth);
-  const std::vector<NodeTemperatures> nodes = mission_temperatures(worn);
-  WearRate sum;
-  sum.contact_temperature = -kNoLimit;
-  for (std::size_t i = 0; i < loads_.size(); ++i) {
-    if (!loads_[i].load) continue;
-    const LoadPoint& load = *loads_[i].load;
-    MotorDesign now = worn;
-    if (loads_[i].voltage && now.stator.voltage) now.stator.voltage = loads_[i].voltage;
-    const auto warm = at_temperatures(now, nodes[i]);
-    if (!warm) throw SearchFailure{MetricStatus::temperature_out_of_range};
-    const auto ask = [&](Metric metric) {
-      return known(twum::evaluate(Motor(*warm), at_load(metric, load)));
-    };
-    const double speed = load.argument == Argument::torque ? ask(M::speed_at) : load.at;
-    sum.depth += loads_[i].time * ratio(nodes[i][1]) * ask(M::wear_intensity_at);
-    sum.turns += loads_[i].time * std::fabs(speed) / kTurn;
-    sum.contact_temperature = std::fmax(sum.contact_temperature, nodes[i][1]);
-  }
-  return sum;
+// @param speed    nothing where it is given
+// @param contact  its temperature; nothing without temperatures
+WearRate WearRates::rate_with_slopes(const LoadPoint& load, const MetricDerivative& intensity,
+                                     const std::optional<MetricDerivative>& speed,
+                                     const std::optional<MetricDerivative>& contact) const {
+  WearRate rate;
+  if (contact) rate.contact_temperature = contact->value.value;
+  rate.depth = ratio(rate.contact_temperature) * intensity.value.value;
+  add(rate.depth_slope, ratio(rate.contact_temperature), intensity.gradient);
+  add(rate.depth_slope, rate.depth, by_ratio(contact));
+  rate.turns = std::fabs(speed ? speed->value.value : load.at) / kTurn;
+  if (speed) add(rate.turn_slope, std::copysign(1 / kTurn, speed->value.value), speed->gradient);
+  return rate;
 }
 
 template <typename RateOf>
 WearRate WearRates::sum(RateOf rate_of) const {
   WearRate sum;
-  for (const LoadPhase& phase : loads_) {
-    if (!phase.load) continue;
-    const WearRate one = rate_of(phase);
-    sum.depth += phase.time * one.depth;
-    sum.turns += phase.time * one.turns;
+  for (std::size_t i = 0; i < loads_.size(); ++i) {
+    if (!loads_[i].load) continue;
+    const WearRate one = rate_of(i);
+    const double share = loads_[i].time;
+    sum.depth += share * one.depth;
+    sum.turns += share * one.turns;
     sum.contact_temperature = std::fmax(sum.contact_temperature, one.contact_temperature);
-    add(sum.depth_slope, phase.time, one.depth_slope);
-    add(sum.turn_slope, phase.time, one.turn_slope);
+    add(sum.depth_slope, share, one.depth_slope);
+    add(sum.turn_slope, share, one.turn_slope);
   }
   return sum;
 }
 
+namespace {
+
+// An operation with temperatures: the masses at their means (H5.2), contact and lining at those of each load.
+struct WarmOperation {
+  explicit WarmOperation(MotorDesign of)
+      : design(std::move(of)), course(design, design.operation), lap(course.periodic()) {
+    const PartValues<double> mean = course.mean(lap);
+    const double ambient = design.thermal->ambient;
+    for (const CoursePhase& phase : course.phases()) {
+      const HeatState state = phase.solver.at_masses(
+          {mean[0] - ambient, mean[1] - ambient, mean[2] - ambient}, phase.solver.cold_nodes());
+      if (state.status != MetricStatus::ok) throw SearchFailure{state.status};
+      states.push_back(state);
+    }
+  }
+  WarmOperation(const WarmOperation&) = delete;
+  WarmOperation& operator=(const WarmOperation&) = delete;
+
+  // The motor in a phase.
+  MotorDesign design_of(std::size_t phase) const {
+    MotorDesign now = design;
+    const auto& voltage = design.operation[phase].voltage;
+    if (voltage && now.stator.voltage) now.stator.voltage = voltage;
+    return now;
+  }
+  Motor motor(std::size_t phase) const {
+    const auto warm = at_temperatures(design_of(phase), states[phase].x);
+    if (!warm) throw SearchFailure{MetricStatus::temperature_out_of_range};
+    return Motor(*warm);
+  }
+
+  MotorDesign design;
+  HeatCourse course;
+  HeatCourse::Lap lap;
+  std::vector<HeatState> states;
+};
+
+// dX/dq = X_q + X_x dx/dq
+MetricDerivative along_nodes(const MetricDerivative& of_warm, const DriftRule& rule,
+                             const NodeTemperatures& x, const std::array<Gradient, 3>& moves,
+                             bool own_voltage) {
+  MetricDerivative found = of_warm;
+  const Vector3 by_nodes = rule.by_temperatures(of_warm.gradient);
+  found.gradient = rule.at_fixed_temperatures(of_warm.gradient, x);
+  if (own_voltage) found.gradient[index_of(P::voltage)] = 0;
+  for (std::size_t i = 0; i < 3; ++i) add(found.gradient, by_nodes[i], moves[i]);
+  return found;
+}
+
+}  // namespace
+
+WearRate WearRates::of_warm_operation(double depth) const {
+  const WarmOperation now(worn_design(design_, depth));
+  return sum([&](std::size_t i) {
+    const LoadPoint& load = *loads_[i].load;
+    const auto found = twum::evaluate(now.motor(i), asked_at(load));
+    const double contact = now.states[i].x[1];
+    const double speed = load.argument == Argument::torque ? known(found[1]) : load.at;
+    return WearRate{ratio(contact) * known(found[0]), std::fabs(speed) / kTurn, contact, {}, {}};
+  });
+}
+
+WearRate WearRates::of_warm_operation_with_slopes(double depth, bool fixed) const {
+  const WarmOperation now(worn_design(design_, depth));
+  CourseSensitivity sensitivity(now.design, now.course, now.lap, fixed);
+  const auto mean = sensitivity.of_mean();
+  return sum([&](std::size_t i) {
+    const LoadPoint& load = *loads_[i].load;
+    const NodeTemperatures& x = now.states[i].x;
+    const auto moves = sensitivity.nodes_at_mean(i, now.states[i], mean);
+    const DriftRule rule(now.design_of(i), fixed);
+    const auto found = twum::differentiate(now.motor(i), asked_at(load), fixed);
+    const auto along = [&](const MetricDerivative& one) {
+      return along_nodes(known(one), rule, x, moves, loads_[i].voltage.has_value());
+    };
+    const bool at_torque = load.argument == Argument::torque;
+    const MetricDerivative contact{{x[1], MetricStatus::ok}, moves[1], Smoothness::smooth};
+    return rate_with_slopes(load, along(found[0]),
+                            at_torque ? std::optional(along(found[1])) : std::nullopt, contact);
+  });
+}
+
 WearRate WearRates::at(double depth) {
-  if (is_mission() && is_warm()) return of_mission(depth);
-  return sum([&](const LoadPhase& phase) { return of_load(phase, depth); });
+  if (is_mission() && is_warm()) return of_warm_operation(depth);
+  return sum([&](std::size_t i) { return of_load(loads_[i], depth); });
 }
 
 WearRate WearRates::with_slopes(double depth, bool fixed) {
-  if (is_mission() && is_warm()) throw SearchFailure{MetricStatus::undefined};
   WearRate rate =
-      sum([&](const LoadPhase& phase) { return of_load_with_slopes(phase, depth, fixed); });
+      is_mission() && is_warm()
+          ? of_warm_operation_with_slopes(depth, fixed)
+          : sum([&](std::size_t i) { return of_load_with_slopes(loads_[i], depth, fixed); });
   rate.depth_slope = by_new_motor(design_, depth, rate.depth_slope);
   rate.turn_slope = by_new_motor(design_, depth, rate.turn_slope);
   return rate;

@@ -40,18 +40,19 @@ class WearRates {
   WornMotors& motors() { return motors({}); }
 
  private:
-  using Asked = std::vector<MetricRequest>;
-
   WornMotors& motors(const std::optional<double>& voltage);
   bool is_warm() const;
   bool is_mission() const;
   double ratio(double contact_temperature) const;
   Gradient by_ratio(const std::optional<MetricDerivative>& contact) const;
-  Asked asked(const LoadPoint& load) const;
+  std::vector<MetricRequest> asked(const LoadPoint& load) const;
   WearRate of_load(const LoadPhase& phase, double depth);
   WearRate of_load_with_slopes(const LoadPhase& phase, double depth, bool fixed);
-  std::vector<NodeTemperatures> mission_temperatures(const MotorDesign& worn) const;
-  WearRate of_mission(double depth) const;
+  WearRate rate_with_slopes(const LoadPoint& load, const MetricDerivative& intensity,
+                            const std::optional<MetricDerivative>& speed,
+                            const std::optional<MetricDerivative>& contact) const;
+  WearRate of_warm_operation(double depth) const;
+  WearRate of_warm_operation_with_slopes(double depth, bool fixed) const;
   template <typename RateOf>
   WearRate sum(RateOf rate_of) const;
 
