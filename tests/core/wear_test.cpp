@@ -122,6 +122,23 @@ TEST_CASE("a start voltage beyond the drive's ends a life (V2.7)", "[core][wear]
   CHECK(rows >= 1);
 }
 
+TEST_CASE("rates on the way are those of the worn motors by themselves",
+          "[core][wear][differential]") {
+  const MotorDesign design = wearing(driven_with_slices(8), 1e5);
+  const LoadPoint load =
+      GENERATE(LoadPoint{Argument::torque, 0.5, 0}, LoadPoint{Argument::torque, 0.9, 0},
+               LoadPoint{Argument::speed, 9, 0}, LoadPoint{Argument::speed, 0, 0});
+  const auto course = wear_course(design, load, {0, 3e-6, 40e-6, 41e-6, 100e-6});
+  for (const WearPoint& point : course) {
+    CAPTURE(load.at, point.depth);
+    REQUIRE(point.status == MetricStatus::ok);
+    const MetricRequest asked{Metric::wear_rate_at, load.argument, load.at};
+    const double alone = evaluate(Motor(worn_motor(design, point.depth)), asked).value;
+    // the wave is known to 1e-12 of its amplitude, and the wear moves some ten times as much
+    CHECK(std::fabs(point.rate / alone - 1) <= 1e-10);
+  }
+}
+
 TEST_CASE("k scales the time and nothing else (C15.2)", "[core][wear][scaling]") {
   MotorDesign design = wearing(driven_with_slices(1), 1e5);
   const Life once = life(design, torque_load(0.5));
@@ -268,6 +285,32 @@ TEST_CASE("derivatives of lives are those of solving again (V2.7)",
     }
   }
   CHECK(compared > 60);
+}
+
+TEST_CASE(
+    "derivatives of lives in an operation with temperatures are those of solving again (V2.7)",
+    "[core][wear][heat][derivative][differential]") {
+  MotorDesign design = wearing(with_table(warm_motor()), 1e5);
+  design.thermal->drift.specific_wear = 0.01;
+  design.friction.threshold = design.friction.kinetic;
+  design.operation = {{torque_load(0.8), 30, {}}, {torque_load(0.5), 60, 110.0}, {{}, 110, {}}};
+  const std::vector<MetricRequest> requests{{Metric::life}, {Metric::life_revolutions}};
+  const auto exact = differentiate(Motor(design), requests);
+  for (const Parameter parameter :
+       {Parameter::voltage, Parameter::preload_spring, Parameter::ambient_temperature,
+        Parameter::conductance_housing_ambient, Parameter::thickness}) {
+    const double x = get(design, parameter), h = 1e-3 * x;
+    const auto above = values_of(with(design, parameter, x + h), requests),
+               below = values_of(with(design, parameter, x - h), requests);
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      CAPTURE(info(parameter).name, info(requests[k].metric).name);
+      REQUIRE(exact[k].smoothness == Smoothness::smooth);
+      const double slope = (above[k] - below[k]) / (2 * h);
+      // the difference leaves a millionth of the bend, which is some ten times the slope; lives are known to 1e-8
+      const double unit = std::fabs(slope) + std::fabs(exact[k].value.value / x);
+      CHECK(std::fabs(exact[k].gradient[index_of(parameter)] - slope) <= 5e-5 * unit);
+    }
+  }
 }
 
 TEST_CASE("heat and wear together are those of a second program",

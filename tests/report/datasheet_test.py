@@ -49,6 +49,17 @@ class Sheet(page.Page):
         return self.browser.value("""Object.fromEntries([...document.querySelectorAll('section')].map((s) => [s.querySelector('h2').textContent,
             Object.fromEntries([...s.querySelectorAll('dl div')].map((d) => [d.children[0].textContent, d.children[1].textContent]))]))""")
 
+    def test_a_life_names_its_end_and_is_left_out_with_one_slice(self):
+        motor = MOTORS / "worn-60.yaml"
+        life = json.loads(twum("life", motor, "--torque", "0.5 N.m", "--points", "2", "--set", "preload_spring=0 N/m", "--format", "json").stdout)
+        self.show(self.sheet(motor, "--torque", "0.5 N.m", "--set", "preload_spring=0 N/m"), 1400)
+        rated = self.lines()["Rated point"]
+        # four digits are shown; the load is that of the speed at which the sheet has its point
+        self.assertLess(abs(float(rated["life at this load"].split()[0]) * 3600 / life["life"]["end"]["seconds"] - 1), 1e-3)
+        self.assertIn("start voltage", rated["end of the life"])
+        self.show(self.sheet(motor, "--torque", "0.5 N.m", "--set", "radial_slices=1"), 1400)
+        self.assertEqual(self.lines()["Rated point"]["life at this load"], "not known with one slice")
+
     def test_numbers_are_those_of_the_curve(self):
         for motor in ("ring-60", "drive-60"):
             with self.subTest(motor):

@@ -105,6 +105,28 @@ TEST_CASE("a motor that only rests does not wear, which is an answer", "[studies
         std::string::npos);
 }
 
+TEST_CASE("a search for a long life leaves motors that violate a limit from the first hour",
+          "[studies][life]") {
+  MotorDesign design = worn_60();
+  design.wear->preload_spring = 1e5;
+  design.wear->until = {{{Metric::start_voltage}, -HUGE_VAL, 120, "start_voltage <= 120 V"}};
+  design.preload = 190;  // start_voltage grows with the preload
+  const MetricRequest asked{Metric::life_at, Argument::torque, 0.5};
+  REQUIRE(evaluate(Motor(design), asked).value == 0);
+  const MetricDerivative none = differentiate(Motor(design), asked);
+  CHECK(none.smoothness == Smoothness::flat);
+  CHECK(none.gradient[index_of(Parameter::preload)] == 0);
+  DesignProblem problem;
+  problem.vary(Parameter::preload, 150, 195).maximize("life_at(0.5 N.m)");
+  OptimizeStudy study;
+  study.variables = problem.variables, study.objective = problem.objectives.front();
+  study.solver.starts = 1, study.solver.budget.evaluations = 60;
+  const StudyResult result = run_study({.motor = {"motor", design}, .asked = study});
+  const auto& best = std::get<OptimizeResult>(result.answer).best;
+  CHECK(evaluate(Motor(with(design, Parameter::preload, best.design.front().value)), asked).value >
+        1000 * 3600);
+}
+
 TEST_CASE("a life without end is no goal, and keeps a limit", "[studies][life]") {
   // a contact that never slips: what the motor does is to rest
   MotorDesign design = worn_60();

@@ -193,13 +193,14 @@ NodeTemperatures HeatSolver::nodes_at(const Vector3& theta, const HeatState& kno
   return plus(known.x, 1, inverse(plus(kIdentity3, -1, spread)) * off);
 }
 
-HeatState HeatSolver::at_masses(const Vector3& theta, NodeTemperatures guess) const {
+HeatState HeatSolver::at_masses(const Vector3& theta, NodeTemperatures guess,
+                                const HeatState* near) const {
   constexpr double kNear =
       0.02;  // [K]; what a linear step leaves is its square times the bend, 1e-6 K
   constexpr int kMostTries = 8;
   HeatState state;
   for (int i = 0; i < kMostTries; ++i) {
-    state = with_losses(guess);
+    state = with_losses_after(guess, i == 0 ? near : &state);
     state.theta = theta;
     if (state.status != MetricStatus::ok) return state;
     const NodeTemperatures x = nodes_at(theta, state);
@@ -232,12 +233,12 @@ HeatSolver::Linear HeatSolver::with_cold_losses(double time) const {
 HeatSolver::Step HeatSolver::step(const HeatState& s, double time) const {
   const Vector3 whole = flow(s, time).theta;
   const Flow first = flow(s, time / 2);
-  const HeatState middle = at_masses(first.theta, nodes_at(first.theta, s));
+  const HeatState middle = at_masses(first.theta, nodes_at(first.theta, s), &s);
   if (middle.status != MetricStatus::ok) return {middle, HUGE_VAL};
   const Flow second = flow(middle, time / 2);
   const Vector3 difference = plus(second.theta, -1, whole);
   const Vector3 better = plus(second.theta, 1.0 / 3, difference);
-  HeatState end = at_masses(better, nodes_at(better, middle));
+  HeatState end = at_masses(better, nodes_at(better, middle), &middle);
   end.time = s.time + time;
   end.moved = second.exp * (first.exp * s.moved);
   for (std::size_t k = 0; k < kSources; ++k)  // Simpson's rule
@@ -302,7 +303,23 @@ void HeatSolver::Way::go_on(const HeatSolver& solver, double until) {
 
 std::vector<HeatState> HeatSolver::followed(const HeatState& start, double duration,
                                             double tolerance) const {
-  return marched_to(start, duration, tolerance, fastest_ / 2);
+  std::vector<HeatState> way = marched_to(start, duration, tolerance, fastest_ / 2);
+  if (is_confirmed(way)) return way;
+  HeatSolver searching = *this;
+  searching.problem_.followed = {};
+  return searching.marched_to(start, duration, tolerance, fastest_ / 2);
+}
+
+// Of the last state that carries the load. Its wave is that a little before its temperatures; another wave is far from it.
+bool HeatSolver::is_confirmed(const std::vector<HeatState>& way) const {
+  constexpr double kSame = 1e-2;
+  const auto last = std::find_if(way.rbegin(), way.rend(), [](const HeatState& state) {
+    return state.status == MetricStatus::ok;
+  });
+  if (!problem_.followed || last == way.rend() || !last->wave) return true;
+  const WarmLosses found = problem_.losses(last->x);
+  return found.wave && std::fabs(found.wave->amplitude / last->wave->amplitude - 1) <= kSame &&
+         std::fabs(found.wave->speed / last->wave->speed - 1) <= kSame;
 }
 
 HeatState HeatSolver::advanced(const HeatState& start, double duration, double tolerance) const {

@@ -75,10 +75,13 @@ class HeatSolver {
   SteadyState near(const NodeTemperatures& start) const;
 
   /// x = T_a + M theta + D p with p at x: by one step of Newton's method from a guess, or several where that moves it far.
-  HeatState at_masses(const Vector3& theta, NodeTemperatures guess) const;
+  /// @param near  a state from which the wave is followed; null: it is searched anew
+  HeatState at_masses(const Vector3& theta, NodeTemperatures guess,
+                      const HeatState* near = nullptr) const;
   /// The motor in time from a state on, which is the first of the answer, in steps of (H4.3) that differ by `tolerance` from their
   /// halves [K]; ends at the time, or with a status where the point is lost. A step takes at most half of the fastest time
-  /// constant, or of the time since the beginning: modes that still move then have passed one extreme at most.
+  /// constant, or of the time since the beginning: modes that still move then have passed one extreme at most. The wave is followed
+  /// from step to step; a new search at the end has to confirm it.
   std::vector<HeatState> followed(const HeatState& state, double duration, double tolerance) const;
   /// The way of followed() without an end. No step depends on how far it will be followed.
   class Way {
@@ -138,6 +141,7 @@ class HeatSolver {
   /// Newton's method; its status says why it found nothing.
   /// @param known  a state from which waves are followed; null: each is searched anew
   HeatState newton(NodeTemperatures x, const HeatState* known) const;
+  bool is_confirmed(const std::vector<HeatState>& way) const;
   bool leads_there(const HeatState& cold, const SteadyState& found) const;
   SteadyState judged(HeatState state) const;
   SteadyState marched() const;

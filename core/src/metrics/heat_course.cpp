@@ -21,16 +21,20 @@ MotorDesign in_phase(const MotorDesign& design, const LoadPhase& phase) {
   return now;
 }
 
-LossesAt losses_of(const std::optional<LoadLosses>& losses) {
-  if (!losses) return [](const NodeTemperatures&) { return WarmLosses{}; };
-  return [losses](const NodeTemperatures& x) { return losses->at(x); };
+HeatProblem problem_of(const HeatNetwork& network, double ambient,
+                       const std::optional<LoadLosses>& losses) {
+  if (!losses) return {network, ambient, [](const NodeTemperatures&) { return WarmLosses{}; }};
+  return {network, ambient, [losses](const NodeTemperatures& x) { return losses->at(x); },
+          [losses](const NodeTemperatures& x, const LoadWave& known) {
+            return losses->near(x, known);
+          }};
 }
 
 CoursePhase course_phase(const MotorDesign& design, const HeatNetwork& network,
                          const LoadPhase& phase) {
   std::optional<LoadLosses> losses;
   if (phase.load) losses.emplace(in_phase(design, phase), *phase.load);
-  return {losses, HeatSolver({network, design.thermal->ambient, losses_of(losses)}), phase.time,
+  return {losses, HeatSolver(problem_of(network, design.thermal->ambient, losses)), phase.time,
           phase.voltage.has_value()};
 }
 

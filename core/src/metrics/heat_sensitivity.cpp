@@ -42,7 +42,7 @@ std::array<CourseSensitivity::Column, kSources> CourseSensitivity::losses(std::s
   std::array<Column, kSources> found{};
   const CoursePhase& now = course_.phases()[phase];
   if (!now.losses) return found;
-  const auto of_warm = now.losses->gradients(state.x, fixed_);
+  const auto of_warm = now.losses->gradients(state.x, fixed_, state.wave);
   if (!of_warm) throw SearchFailure{MetricStatus::undefined};
   const DriftRule rule(design_, fixed_);
   for (std::size_t k = 0; k < kSources; ++k) {
@@ -265,6 +265,19 @@ std::array<Gradient, kParts> CourseSensitivity::of_mean() {
   for (std::size_t i = 0; i < kParts; ++i)
     for (std::size_t q = 0; q < kParameterCount; ++q) found[i][q] += by_network[i][q];
   for (Gradient& part : found) part[index_of(P::ambient_temperature)] += 1;
+  return found;
+}
+
+std::array<Gradient, 3> CourseSensitivity::nodes_at_mean(std::size_t phase, const HeatState& state,
+                                                         const std::array<Gradient, kParts>& mean) {
+  const Local at = local(phase, state);
+  std::array<Gradient, 3> found;
+  for (std::size_t q = 0; q < kParameterCount; ++q) {
+    const double ambient = q == index_of(P::ambient_temperature) ? 1 : 0;
+    const Vector3 theta{mean[0][q] - ambient, mean[1][q] - ambient, mean[2][q] - ambient};
+    const Vector3 x = nodes(at, q, theta);
+    for (std::size_t i = 0; i < 3; ++i) found[i][q] = x[i];
+  }
   return found;
 }
 

@@ -23,6 +23,11 @@ class CourseSensitivity {
   std::array<Gradient, kParts> in_cycle(const HeatCourse::Moment& moment);
   /// Those of the mean temperatures of a lap that returns.
   std::array<Gradient, kParts> of_mean();
+  /// Those of the nodes under the load of a phase while the masses are at their means.
+  /// @param state  the state of the phase there
+  /// @param mean   of_mean()
+  std::array<Gradient, 3> nodes_at_mean(std::size_t phase, const HeatState& state,
+                                        const std::array<Gradient, kParts>& mean);
 
  private:
   /// By every parameter, and by the three masses as the course begins.

@@ -114,22 +114,27 @@ WarmLosses LoadLosses::at(const NodeTemperatures& x) const {
   return losses;
 }
 
-std::optional<WarmLosses> LoadLosses::near(const NodeTemperatures& x, const LoadWave& known) const {
+std::optional<LoadLosses::Followed> LoadLosses::followed(const NodeTemperatures& x,
+                                                         const LoadWave& known, bool fixed) const {
   const auto warm = at_temperatures(design_, x);
   if (!warm) return {};
   auto curve = FollowedCurve::from(*warm, load_, known);
   if (!curve) return {};
-  const LoadWave wave{curve->motor().mean.amplitude, curve->speed()};
+  Followed found{{}, {curve->motor().mean.amplitude, curve->speed()}};
   const Motor motor(*warm);
-  Differentiator numbers(motor, std::move(curve), false);
+  Differentiator numbers(motor, std::move(curve), fixed);
   const bool at_torque = load_.argument == Argument::torque;
   const auto torque = at_torque ? std::optional(load_.at) : std::nullopt;
-  std::vector<MetricDerivative> found;
   for (const MetricRequest& one : requests())
-    found.push_back(numbers.differentiate_at(one.metric, wave.speed, torque));
-  if (!std::ranges::all_of(found, has_slopes)) return {};
-  WarmLosses losses = with_slopes(found);
-  losses.wave = wave;
+    found.losses.push_back(numbers.differentiate_at(one.metric, found.wave.speed, torque));
+  return std::ranges::all_of(found.losses, has_slopes) ? std::optional(found) : std::nullopt;
+}
+
+std::optional<WarmLosses> LoadLosses::near(const NodeTemperatures& x, const LoadWave& known) const {
+  const auto found = followed(x, known, false);
+  if (!found) return {};
+  WarmLosses losses = with_slopes(found->losses);
+  losses.wave = found->wave;
   return losses;
 }
 
@@ -158,10 +163,16 @@ std::array<Vector3, kSources> LoadLosses::differences(const NodeTemperatures& x)
 }
 
 std::optional<std::array<Gradient, kSources>> LoadLosses::gradients(
-    const NodeTemperatures& x, bool fixed_static_friction) const {
-  const auto warm = motors_->at(x);
-  if (!warm) return {};
-  const auto found = differentiate(*warm, requests(), fixed_static_friction);
+    const NodeTemperatures& x, bool fixed_static_friction,
+    const std::optional<LoadWave>& known) const {
+  std::vector<MetricDerivative> found;
+  if (const auto near = known ? followed(x, *known, fixed_static_friction) : std::nullopt) {
+    found = near->losses;
+  } else {
+    const auto warm = motors_->at(x);
+    if (!warm) return {};
+    found = differentiate(*warm, requests(), fixed_static_friction);
+  }
   std::array<Gradient, kSources> gradients{};
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!is_known(found[k].gradient)) return {};

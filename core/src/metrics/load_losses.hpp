@@ -58,12 +58,21 @@ class LoadLosses {
   /// The same by following the wave from other temperatures, which costs a few points. Nothing where that is not possible.
   std::optional<WarmLosses> near(const NodeTemperatures& x, const LoadWave& known) const;
   /// Derivatives of the losses in all parameters of the warm motor. Empty where there are none.
-  std::optional<std::array<Gradient, kSources>> gradients(const NodeTemperatures& x,
-                                                          bool fixed_static_friction) const;
+  /// @param known  a wave from which that at x is followed; without it the wave is searched
+  std::optional<std::array<Gradient, kSources>> gradients(
+      const NodeTemperatures& x, bool fixed_static_friction,
+      const std::optional<LoadWave>& known = {}) const;
 
  private:
   std::vector<MetricRequest> requests() const;
   WarmLosses values(const Motor& warm) const;
+  /// Those at a wave that is followed, and the wave.
+  struct Followed {
+    std::vector<MetricDerivative> losses;
+    LoadWave wave;
+  };
+  std::optional<Followed> followed(const NodeTemperatures& x, const LoadWave& known,
+                                   bool fixed_static_friction) const;
   WarmLosses with_slopes(std::span<const MetricDerivative> found) const;
   std::array<Vector3, kSources> differences(const NodeTemperatures& x) const;
 

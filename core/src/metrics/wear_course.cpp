@@ -1,75 +1,163 @@
 // SPDX-License-Identifier: Apache-2.0
-// The life of a motor, for programs.
+#include "metrics/wear_course.hpp"
+
 #include "curve/curve.hpp"
-#include "design/held_traps.hpp"
-#include "metrics/wear_metrics.hpp"
+#include "metrics/wear_quadrature.hpp"
 
-#include <twum/base/error.hpp>
-#include <twum/core/life.hpp>
-#include <twum/core/plate.hpp>
+#include <twum/base/scalar_search.hpp>
 
-namespace twum {
+#include <cmath>
+#include <functional>
 
-using namespace core;
-
+namespace twum::core {
 namespace {
 
-MotorDesign wearing(const MotorDesign& design) {
-  require_motor(design);
-  if (!design.wear) throw InputError("the motor needs 'wear' for its life");
-  MotorDesign kept = design;
-  keep_plate(kept);
-  return kept;
+constexpr int kSamples = 16;      // of the margins along a life
+constexpr double kWithin = 1e-6;  // of the depth at which lining or preload is gone
+
+// The last depth at which something holds, between one where it does and one where it does not.
+double last_depth(const std::function<bool(double)>& holds, double good, double bad) {
+  constexpr double kClose = 1e-12;
+  while (bad - good > kClose * bad) {
+    const double middle = 0.5 * (good + bad);
+    if (middle <= good || middle >= bad) break;
+    (holds(middle) ? good : bad) = middle;
+  }
+  return good;
 }
 
-Life life_under(const MotorDesign& design, const std::optional<LoadPoint>& load) try {
-  const HeldTraps traps;
-  const MotorDesign kept = wearing(design);
-  return WearMetrics(kept).life(load);
-} catch (const SearchFailure& failure) {
-  Life none;
-  none.status = failure.status;
-  return none;
-}
-
-void require_operation(const MotorDesign& design) {
-  if (design.operation.empty()) throw InputError("the motor needs 'operation' for its life");
+// Time and turns for a depth.
+std::vector<double> per_depth(const WearRate& rate) {
+  return {1 / rate.depth, rate.turns / rate.depth};
 }
 
 }  // namespace
 
-const char* to_string(EndOfLife end) noexcept {
-  switch (end) {
-    case EndOfLife::none: return "none";
-    case EndOfLife::depth_limit: return "depth-limit";
-    case EndOfLife::limit: return "limit";
-    case EndOfLife::preload_gone: return "spring-relaxed";
-    case EndOfLife::worn_through: return "worn-through";
-    case EndOfLife::load_lost: return "load-lost";
+WearCourse::WearCourse(const MotorDesign& design, const std::optional<LoadPoint>& load)
+    : design_(design), load_(load), rates_(design, load) {}
+
+// How far a limit of the life is kept, in its unit; NaN where the worn motor has no value for it.
+double WearCourse::margin(std::size_t limit, double depth) {
+  const WearLimit& one = design_.wear->until[limit];
+  const MetricValue found = rates_.motors().evaluate(depth, std::span(&one.request, 1)).front();
+  if (is_endless(found.status)) return std::isinf(one.upper) ? kNoLimit : -kNoLimit;
+  if (found.status != MetricStatus::ok) return kNoValue;
+  return std::fmin(found.value - one.lower, one.upper - found.value);
+}
+
+// Where a margin reaches zero between two depths, or the last depth at which the limit has a value.
+double WearCourse::root_of(std::size_t limit, double good, double bad) {
+  const auto f = [&](double depth) { return margin(limit, depth); };
+  double at_bad = f(bad);
+  while (std::isnan(at_bad) && bad - good > 1e-12 * bad) {
+    const double middle = 0.5 * (good + bad), there = f(middle);
+    if (there >= 0)
+      good = middle;
+    else
+      bad = middle, at_bad = there;
   }
-  return "";
+  if (std::isnan(at_bad)) return good;
+  return closed_in("the end of a life", f, Bracket{good, bad, f(good), at_bad}, 48).nearest();
 }
 
-Life life(const MotorDesign& design, const LoadPoint& load) { return life_under(design, load); }
-
-Life life(const MotorDesign& design) {
-  require_operation(design);
-  return life_under(design, {});
+// The first limit that fails on the way to a depth.
+std::optional<Life> WearCourse::first_limit(double depth) {
+  const std::size_t limits = design_.wear->until.size();
+  std::optional<Life> first;
+  for (int i = 0; i <= kSamples && !first; ++i) {
+    const double here = depth * i / kSamples, before = depth * (i - 1) / kSamples;
+    for (std::size_t j = 0; j < limits; ++j) {
+      if (margin(j, here) >= 0) continue;
+      const double at = i == 0 ? 0 : root_of(j, before, here);
+      if (!first || at < first->depth) first = {MetricStatus::ok, EndOfLife::limit, j, at, 0, 0};
+    }
+  }
+  return first;
 }
 
-std::vector<WearPoint> wear_course(const MotorDesign& design, const std::optional<LoadPoint>& load,
-                                   const std::vector<double>& depths) {
-  const HeldTraps traps;
-  if (!load) require_operation(design);
-  const MotorDesign kept = wearing(design);
-  return WearMetrics(kept).course(load, depths);
+Life WearCourse::end() {
+  const HardEnd hard = hard_end(design_);
+  const double allowed = design_.wear->depth_limit.value_or(kNoLimit),
+               left = (1 - kWithin) * hard.depth;
+  Life end{MetricStatus::ok, EndOfLife::depth_limit, 0, allowed, 0, 0};
+  if (left < allowed)
+    end = {MetricStatus::ok,
+           hard.spring_relaxed ? EndOfLife::preload_gone : EndOfLife::worn_through,
+           0,
+           left,
+           0,
+           0};
+  if (std::isinf(end.depth)) throw SearchFailure{MetricStatus::undefined};
+  return first_limit(end.depth).value_or(end);
 }
 
-MotorDesign worn_motor(const MotorDesign& design, double depth) {
-  wearing(design);
-  if (!(depth >= 0) || !(depth < hard_end(design).depth))
-    throw InputError("a depth beyond the lining or the preload");
-  return worn_design(design, depth);
+// The last depth at which the worn motor carries the loads.
+double WearCourse::last_carried(double depth) {
+  double good = 0;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double here = depth * i / kSamples;
+    if (!rates_.carries(here))
+      return last_depth([&](double at) { return rates_.carries(at); }, good, here);
+    good = here;
+  }
+  return good;
 }
 
-}  // namespace twum
+// t and N of (V2.3).
+void WearCourse::spend(Life& life) {
+  const std::vector<double> spent =
+      integral_over_depth([&](double depth) { return per_depth(rates_.at(depth)); }, 0, life.depth);
+  life.seconds = spent[0], life.revolutions = spent[1];
+}
+
+Life WearCourse::found() {
+  const Life endless{MetricStatus::does_not_wear, EndOfLife::none, 0, 0, kNoLimit, kNoLimit};
+  if (!(rates_.at(0).depth > 0)) return endless;
+  Life found = end();
+  try {
+    if (!rates_.carries(found.depth)) throw SearchFailure{MetricStatus::unreachable};
+    spend(found);
+  } catch (const SearchFailure&) {
+    found.end = EndOfLife::load_lost;
+    found.depth = last_carried(found.depth);
+    spend(found);
+  }
+  return std::isinf(found.seconds) ? endless : found;
+}
+
+// Once more without following waves where those that were followed are not those of the motor.
+const Life& WearCourse::life() {
+  if (life_) return *life_;
+  life_ = found();
+  if (life_->status == MetricStatus::ok && !rates_.confirms(life_->depth)) life_ = found();
+  return *life_;
+}
+
+WearPoint WearCourse::point_after(const WearPoint& before, double depth) {
+  const MotorDesign worn = worn_design(design_, depth);
+  WearPoint here{.depth = depth,
+                 .thickness = worn.layer.thickness,
+                 .preload = worn.preload,
+                 .contact_temperature = kNoValue};
+  try {
+    const WearRate rate = rates_.at(depth);
+    const std::vector<double> spent = three_points_over_depth(
+        [&](double u) { return per_depth(rates_.at(u)); }, before.depth, depth);
+    here.seconds = before.seconds + spent[0], here.revolutions = before.revolutions + spent[1];
+    here.rate = rate.depth, here.contact_temperature = rate.contact_temperature;
+  } catch (const SearchFailure& failure) {
+    here.status = failure.status;
+  }
+  return here;
+}
+
+std::vector<WearPoint> WearCourse::points(const std::vector<double>& depths) {
+  std::vector<WearPoint> points;
+  for (const double depth : depths) {
+    points.push_back(point_after(points.empty() ? WearPoint{} : points.back(), depth));
+    if (points.back().status != MetricStatus::ok) break;
+  }
+  return points;
+}
+
+}  // namespace twum::core

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "datasheet/parts.hpp"
 
+#include "telling/load_parts.hpp"
+
+#include <twum/core/life.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/motors/curve_points.hpp>
 #include <twum/motors/expression.hpp>
@@ -19,7 +22,7 @@ std::string meaning_of(MetricStatus status) {
   return to_string(status);
 }
 
-// The metrics of a motor. A metric without a value has a line if the reason is informative, such as a motor that does
+// The metrics of a motor but its life, which lifetime() has. A metric without a value has a line if the reason is informative, such as a motor that does
 // not pull out, but not if it is undefined.
 std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
   const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
@@ -27,7 +30,9 @@ std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     const MetricInfo& row = info(metrics[i].request()->metric);
-    if (row.needs_modes != with_modes || values[i].status == MetricStatus::undefined) continue;
+    if (row.needs_modes != with_modes || row.needs_wear ||
+        values[i].status == MetricStatus::undefined)
+      continue;
     const bool ok = values[i].status == MetricStatus::ok;
     lines.push_back({{plain_name(metrics[i].text)},
                      {ok ? shown(values[i].value, row.unit, row.name)
@@ -50,7 +55,12 @@ EfficiencyKind efficiency_kind(const MotorDesign& design) {
   return modal_damping(design) > 0 ? kStatorToo : kContactAlone;
 }
 
-std::vector<Line> performance(const Motor& motor) { return numbers_of(motor, false); }
+std::vector<Line> performance(const Motor& motor) {
+  std::vector<Line> lines = numbers_of(motor, false);
+  if (motor.design().operation.empty()) return lines;
+  for (Line& line : lifetime(motor.design(), {})) lines.push_back(std::move(line));
+  return lines;
+}
 
 std::vector<Line> electrical(const Motor& motor) { return numbers_of(motor, true); }
 
@@ -67,7 +77,22 @@ std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& r
     if (name == "output_power" && std::isfinite(efficiency.value(rated)))
       lines.push_back({{efficiency.name}, {shown(efficiency.value(rated), "1", "efficiency")}});
   }
+  for (Line& line : lifetime(design, LoadPoint{Argument::torque, rated.torque}))
+    lines.push_back(std::move(line));
   return lines;
+}
+
+std::vector<Line> lifetime(const MotorDesign& design, const std::optional<LoadPoint>& load) {
+  const telling::Phrase name{load ? "life at this load" : "life in the operation"};
+  if (!design.wear) return {};
+  if (design.stator.radial_slices == 1) return {{name, {"not known with one slice"}}};
+  const Life found = load ? life(design, *load) : life(design);
+  if (found.status != MetricStatus::ok) return {{name, {meaning_of(found.status)}}};
+  const bool by_limit = found.end == EndOfLife::limit;
+  return {{name, {telling::time_part(found.seconds)}},
+          {{"revolutions until then"}, {shown(found.revolutions, "1")}},
+          {{"end of the life"},
+           telling::end_phrase(found.end, by_limit ? design.wear->until[found.limit].text : "")}};
 }
 
 std::vector<Line> parameters(const MotorDesign& design) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/load.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/studies/telling.hpp>
 
@@ -56,6 +57,10 @@ std::vector<Line> electrical(const Motor& motor);
 
 /// The numbers of the motor at its rated point.
 std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated);
+
+/// Time and revolutions until the end of the life, and what ends it; nothing for a motor without wear.
+/// @param load  none: the operation of the design
+std::vector<Line> lifetime(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
 /// Every parameter in use.
 std::vector<Line> parameters(const MotorDesign& design);

@@ -150,6 +150,28 @@ void add_limits_of(const MetricRequest& request, const MetricExpression& metric,
       reserve_limit(Metric::drive_reserve_at, request, by_frequency ? kLeastReserve : 0));
 }
 
+bool is_of_life(const Term& term) {
+  const auto* request = std::get_if<MetricRequest>(&term);
+  return request != nullptr && (request->worn_at || info(request->metric).needs_wear) &&
+         request->metric != Metric::wear_rate_at;
+}
+
+// A life falls to nothing where the new motor violates what ends it. No slope of the life tells the way back; those limits do.
+std::vector<ImpliedLimit> limits_of_new_motor(const DesignProblem& problem) {
+  std::vector<ImpliedLimit> limits;
+  const bool lives = std::ranges::any_of(asked(problem), [](const MetricExpression& metric) {
+    return std::ranges::any_of(metric.terms, is_of_life);
+  });
+  if (!lives || !problem.motor.wear) return limits;
+  for (const WearLimit& until : problem.motor.wear->until) {
+    const bool asked_for = std::ranges::any_of(
+        problem.limits, [&](const MotorLimit& limit) { return limit.text == until.text; });
+    if (!until.text.empty() && !asked_for)
+      limits.push_back({parse_limit(until.text), until.request});
+  }
+  return limits;
+}
+
 // The point at whose temperatures a metric of the warm motor is taken.
 std::optional<MetricRequest> load_of_warm(const Term& term) {
   const auto* request = std::get_if<MetricRequest>(&term);
@@ -227,6 +249,7 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   for (const MetricExpression& metric : asked(problem))
     for (const Term& term : metric.terms)
       if (const auto load = load_of_warm(term); load && ends_at_a_limit(*load)) add(*load, metric);
+  for (ImpliedLimit& one : limits_of_new_motor(problem)) limits.push_back(std::move(one));
   for (ImpliedLimit& one : fixed_drive_limits(problem)) limits.push_back(std::move(one));
   if (orders_friction(problem))
     limits.push_back({{"static_friction >= kinetic_friction", parse_metric("static_friction"), 0}});

@@ -23,8 +23,9 @@ struct ImpliedLimit {
   bool is_about(const MetricExpression& metric) const;
 };
 
-/// The largest torque of each load; the voltage with which a drive of fixed frequency carries it, or runs at each speed (Y5.4); the
-/// reserves of each torque held at a speed (Y5.1, Y5.2); the order of the coefficients of friction last.
+/// The largest torque of each load; the limits that end a life, for the new motor; the voltage with which a drive of fixed frequency
+/// carries each load, or runs at each speed (Y5.4); the reserves of each torque held at a speed (Y5.1, Y5.2); the order of the
+/// coefficients of friction last.
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
 /// Responses of a motor and their Jacobian for one combination of sets.

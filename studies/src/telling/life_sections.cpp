@@ -20,20 +20,9 @@ Phrase worn_phrase(const LifeResult& answer, const Worn& motor) {
   return family_phrase(answer.family, motor.value);
 }
 
-// "its depth reaches 100 um", "start_voltage <= 120 V fails", ...
 Phrase ended_phrase(const Worn& motor) {
-  for (const LifeResult::Limit& limit : motor.limits)
-    if (limit.ended && motor.life.end == EndOfLife::limit)
-      return {"it violates ", limit_part(limit.text)};
-  switch (motor.life.end) {
-    case EndOfLife::depth_limit: return {"the depth reaches its limit"};
-    case EndOfLife::preload_gone: return {"the spring has relaxed"};
-    case EndOfLife::worn_through: return {"the lining is worn through"};
-    case EndOfLife::load_lost: return {"the motor no longer carries the load"};
-    case EndOfLife::limit:
-    case EndOfLife::none: break;
-  }
-  return {"-"};
+  const auto ended = std::ranges::find_if(motor.limits, &LifeResult::Limit::ended);
+  return end_phrase(motor.life.end, ended == motor.limits.end() ? "" : ended->text);
 }
 
 Phrase why_none(const Worn& motor) {

@@ -31,6 +31,18 @@ Phrase load_phrase(const LoadPoint& load) {
   return {value_part(load.at, load.argument == Argument::torque ? "N.m" : "rad/s")};
 }
 
+Phrase end_phrase(EndOfLife end, const std::string& limit) {
+  switch (end) {
+    case EndOfLife::depth_limit: return {"the depth reaches its limit"};
+    case EndOfLife::limit: return {"it violates ", limit_part(limit)};
+    case EndOfLife::preload_gone: return {"the spring has relaxed"};
+    case EndOfLife::worn_through: return {"the lining is worn through"};
+    case EndOfLife::load_lost: return {"the motor no longer carries the load"};
+    case EndOfLife::none: break;
+  }
+  return {"-"};
+}
+
 std::string reason_of(const std::string& status) {
   for (const auto& reason : motors::reasons())
     if (status == to_string(reason.status)) return reason.meaning;

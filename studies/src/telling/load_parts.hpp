@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/load.hpp>
+#include <twum/core/life.hpp>
 #include <twum/io/column.hpp>
 #include <twum/studies/telling.hpp>
 
 #include <optional>
 #include <string>
 
-/// Parts that tell loads, times and temperatures; internal.
+/// Parts that tell loads, lives, times and temperatures; internal.
 namespace twum::studies::telling {
 
 /// An absolute temperature in degrees.
@@ -26,6 +26,10 @@ Part time_part(double seconds);
 
 /// "0.5 N.m", "100 rpm", "0.5 N.m held at 100 rpm"
 Phrase load_phrase(const LoadPoint& load);
+
+/// What ends a life: "the depth reaches its limit", "it violates start_voltage <= 120 V".
+/// @param limit  of Wear::until, as typed
+Phrase end_phrase(EndOfLife end, const std::string& limit);
 
 /// What a status of a metric means; the status itself where it has no meaning of its own.
 std::string reason_of(const std::string& status);

@@ -206,6 +206,15 @@ bool has_quick_peak(const MotorDesign& design) {
   return !(design.stator.voltage && design.friction.threshold > design.friction.kinetic);
 }
 
+// All of one slice slides alike, so that nearly nothing wears at light load.
+void add_wear(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  if (!design.wear || design.stator.radial_slices != 1) return;
+  notes.push_back({"wear with one slice", 0,
+                   "rates of wear and lives are not valid with one slice, which leaves out the "
+                   "sliding across the width of the track: a half to a thirteenth of the wear of "
+                   "the example drive-60; write 'radial_slices: auto'"});
+}
+
 // What one slice leaves out.
 void add_width(const MotorDesign& design, std::vector<ModelNote>& notes) {
   constexpr double kMatters = 0.02;
@@ -316,6 +325,7 @@ std::vector<ModelNote> model_notes(const Motor& motor) {
   add_load(motor, notes);
   add_contact(design, motor, notes);
   add_modes(design, notes);
+  add_wear(design, notes);
 #ifndef __wasm__
   add_teeth(design, notes);
 #endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "metrics/wear_rates.hpp"
+
+#include <twum/core/life.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace twum::core {
+
+/// The way of a motor from new to the end of its life, under a load or in its operation (V2.3).
+class WearCourse {
+ public:
+  /// As WearRates.
+  WearCourse(const MotorDesign& design, const std::optional<LoadPoint>& load);
+
+  const std::optional<LoadPoint>& load() const { return load_; }
+  WearRates& rates() { return rates_; }
+  /// Found once.
+  const Life& life();
+  /// The motor at the end of its life.
+  const Motor& worn_motor() { return rates_.motors().at(life().depth); }
+  std::vector<WearPoint> points(const std::vector<double>& depths);
+
+ private:
+  double margin(std::size_t limit, double depth);
+  double root_of(std::size_t limit, double good, double bad);
+  std::optional<Life> first_limit(double depth);
+  Life end();
+  double last_carried(double depth);
+  void spend(Life& life);
+  Life found();
+  WearPoint point_after(const WearPoint& before, double depth);
+
+  const MotorDesign& design_;
+  std::optional<LoadPoint> load_;
+  WearRates rates_;
+  std::optional<Life> life_;
+};
+
+}  // namespace twum::core
