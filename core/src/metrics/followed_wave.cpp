@@ -12,7 +12,7 @@ namespace twum::core {
 namespace {
 
 constexpr int kMostSteps = 8;
-constexpr double kLongest = 0.2;  // of amplitude and speed: a longer step may lead to another wave
+constexpr double kLongestStep = 0.2;  // of amplitude and speed: a longer step may lead to another wave
 constexpr double kSettled = 1e-12;  // likewise; what a step leaves is of the order of its square
 
 // Slices of `auto` are those of a wave with the amplitude nearby.
@@ -58,7 +58,7 @@ std::unique_ptr<const FollowedCurve> FollowedCurve::from(const MotorDesign& desi
       load.argument == Argument::torque ? std::optional(load.at) : std::nullopt;
   LoadWave wave = near;
   std::optional<WarmStart> start;
-  double last = kLongest;
+  double last = kLongestStep;
   for (int i = 0; i < kMostSteps; ++i) {
     DrivenWaves::LevelSlopes s =
         waves.slopes(wave.amplitude, wave.speed, start ? &*start : nullptr);

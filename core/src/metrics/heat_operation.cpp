@@ -16,7 +16,7 @@ namespace {
 using M = Metric;
 using P = Parameter;
 
-constexpr double kLongest = 300;  // slow time constants; a passage past a fold takes some twenty
+constexpr double kLongestWarmUp = 300;  // slow time constants; a passage past a fold takes some twenty
 
 double period_of(const std::vector<LoadPhase>& phases) {
   return std::accumulate(phases.begin(), phases.end(), 0.0,
@@ -112,7 +112,7 @@ HeatMetrics::OnTime HeatMetrics::on_time(const LoadPoint& load) const {
   require_limit(limits);
   const HeatNetwork network = network_of(design_);
   HeatCourse course(design_,
-                    std::vector{LoadPhase{load, kLongest * time_constants(network).back()}});
+                    std::vector{LoadPhase{load, kLongestWarmUp * time_constants(network).back()}});
   const CoursePhase& phase = course.phases().front();
   HeatCourse::Lap lap{phase.solver.followed(phase.solver.cold(), phase.time, kCourseError)};
   const MetricStatus end = lap.front().back().status;
