@@ -136,17 +136,17 @@ double CourseSensitivity::next_step(std::size_t phase, double done) const {
 }
 
 // One more step of the walk through a phase, whose lengths follow from its beginning alone.
-void CourseSensitivity::walk_on(std::size_t phase) {
+void CourseSensitivity::take_next_step(std::size_t phase) {
   std::vector<Place>& walk = walks_[phase];
   if (walk.empty()) {
     walk.push_back({0, local(phase, lap_[phase].front()), to(phase)});
     return;
   }
   const double done = walk.back().done;
-  walk.push_back(stepped(phase, walk.back(), next_step(phase, done)));
+  walk.push_back(take_step(phase, walk.back(), next_step(phase, done)));
 }
 
-CourseSensitivity::Place CourseSensitivity::stepped(std::size_t phase, const Place& from,
+CourseSensitivity::Place CourseSensitivity::take_step(std::size_t phase, const Place& from,
                                                     double h) {
   const HeatSolver& solver = course_.phases()[phase].solver;
   const HeatState middle = solver.advanced(from.at.state, h / 2, kBetweenError),
@@ -161,11 +161,11 @@ CourseSensitivity::Place CourseSensitivity::stepped(std::size_t phase, const Pla
 // From the last place of the walk before, which other moments share.
 CourseSensitivity::Moves CourseSensitivity::through(std::size_t phase, double duration) {
   std::vector<Place>& walk = walks_[phase];
-  if (walk.empty()) walk_on(phase);
-  while (walk.back().done + next_step(phase, walk.back().done) <= duration) walk_on(phase);
+  if (walk.empty()) take_next_step(phase);
+  while (walk.back().done + next_step(phase, walk.back().done) <= duration) take_next_step(phase);
   const auto after = std::ranges::upper_bound(walk, duration, {}, &Place::done);
   const Place& last = *(after - 1);
-  return duration > last.done ? stepped(phase, last, duration - last.done).moves : last.moves;
+  return duration > last.done ? take_step(phase, last, duration - last.done).moves : last.moves;
 }
 
 const CourseSensitivity::Moves& CourseSensitivity::to(std::size_t phases) {

@@ -61,8 +61,8 @@ class CourseSensitivity {
     Moves moves;
   };
   double next_step(std::size_t phase, double done) const;
-  void walk_on(std::size_t phase);
-  Place stepped(std::size_t phase, const Place& from, double h);
+  void take_next_step(std::size_t phase);
+  Place take_step(std::size_t phase, const Place& from, double h);
   Moves through(std::size_t phase, double duration);
   const Moves& to(std::size_t phases);
   Moves to(const HeatCourse::Moment& moment);
