@@ -131,23 +131,52 @@ class Curves {
     const bool point = result_.data[curve.points.front()].argument != Argument::none;
     const double room = point ? 0 : kBeyond * (high - low);
     if (point) low = std::min(low, 0.0);
-    const bool slow = curve.over.name == "torque" || curve.over.name == "time";
-    const std::size_t count = slow ? kAtTorque : kAtSpeed;
+    const bool in_time = curve.over.name == "time";  // warm-ups are steep where they begin
+    const std::size_t count = curve.over.name == "torque" ? kAtTorque : kAtSpeed;
     for (std::size_t k = 0; k < count; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(count - 1);
-      add(std::lerp(low - room, high + room, share), curve);
+      curve.at.push_back(std::lerp(low - room, high + room, in_time ? share * share : share));
+    }
+    for (const Place& place : places_of(curve, values_)) {
+      const double half =
+          linear_ && !place.gradient.empty() ? half_width(place.gradient) : kNoValue;
+      curve.value.push_back(place.value);
+      curve.low.push_back(place.value - half), curve.high.push_back(place.value + half);
     }
     if (!linear_) add_band(curve);
   }
 
-  void add(double at, FitCurve& curve) const {
-    const optim::Residuals found = fit_.asking({reading(curve, at)}).residuals(values_);
-    const bool ok = found.failure.empty();
-    const double value = ok ? found.values.front() : kNoValue;
-    const double half = ok && linear_ ? half_width(found.jacobian) : kNoValue;
-    curve.at.push_back(at);
-    curve.value.push_back(value);
-    curve.low.push_back(value - half), curve.high.push_back(value + half);
+  // What a motor has at a place of a curve; NaN and no gradient where it has nothing.
+  struct Place {
+    double value{kNoValue};
+    std::vector<double> gradient{};
+  };
+
+  // All places at once, which share their work; one by one if there is one without a value.
+  std::vector<Place> places_of(const FitCurve& curve, const std::vector<double>& values) const {
+    std::vector<MeasuredPoint> asked;
+    for (const double at : curve.at) asked.push_back(reading(curve, at));
+    if (std::vector<Place> all = places_of(asked, values); !all.empty()) return all;
+    std::vector<Place> list;
+    for (const MeasuredPoint& point : asked) {
+      const std::vector<Place> alone = places_of({point}, values);
+      list.push_back(alone.empty() ? Place{} : alone.front());
+    }
+    return list;
+  }
+
+  // Empty if one of them has no value. Residuals carry the root of a weight, which is 1.
+  std::vector<Place> places_of(const std::vector<MeasuredPoint>& asked,
+                               const std::vector<double>& values) const {
+    const optim::Residuals found = fit_.asking(asked).residuals(values);
+    if (!found.failure.empty()) return {};
+    std::vector<Place> list;
+    const auto n = static_cast<std::ptrdiff_t>(values.size());
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const auto row = found.jacobian.begin() + static_cast<std::ptrdiff_t>(k) * n;
+      list.push_back({found.values[k], {row, row + n}});
+    }
+    return list;
   }
 
   // (L3.3): between the numbers of the motors at which the curve is lowest and highest at some places. Without all of them there is
@@ -155,16 +184,15 @@ class Curves {
   void add_band(FitCurve& curve) const {
     const std::vector<std::vector<double>> motors = farthest_motors(curve);
     if (motors.empty()) return;
-    for (std::size_t k = 0; k < curve.at.size(); ++k) {
-      const MeasuredFit fit = fit_.asking({reading(curve, curve.at[k])});
-      double low = curve.value[k], high = low;
-      for (const std::vector<double>& values : motors) {
-        const optim::Residuals found = fit.residuals(values);
-        const double value = found.failure.empty() ? found.values.front() : kNoValue;
-        low = std::isnan(value) ? value : std::min(low, value);
-        high = std::isnan(value) ? value : std::max(high, value);
+    curve.low = curve.high = curve.value;
+    for (const std::vector<double>& values : motors) {
+      const std::vector<Place> places = places_of(curve, values);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const double value = places[k].value;
+        const bool none = std::isnan(value) || std::isnan(curve.low[k]);
+        curve.low[k] = none ? kNoValue : std::min(curve.low[k], value);
+        curve.high[k] = none ? kNoValue : std::max(curve.high[k], value);
       }
-      curve.low[k] = low, curve.high[k] = high;
     }
   }
 
