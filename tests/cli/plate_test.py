@@ -139,7 +139,8 @@ class Materials(program.Case):
         text = pathlib.Path(PLATE).read_text()
         named = self.write("named.yaml", text)
         typed = self.write("typed.yaml", text.replace(
-            "material: phosphor-bronze-c51000", "youngs_modulus: 110 GPa, poisson_ratio: 0.34, density: 8800 kg/m^3"))
+            "material: phosphor-bronze-c51000", "youngs_modulus: 110 GPa, poisson_ratio: 0.34, density: 8800 kg/m^3, "
+            "conductivity: 77 W/(m.K), specific_heat: 380 J/(kg.K)"))
         other = self.write("other.yaml", text.replace(
             "material: phosphor-bronze-c51000", "material: phosphor-bronze-c51000, density: 8000 kg/m^3"))
         motors = [json.loads(self.ok("stator", path, "--format", "json"))["motor"] for path in (named, typed, other)]

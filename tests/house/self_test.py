@@ -43,7 +43,9 @@ CLEAN = {
                             "  youngs_modulus: {value: 100 GPa, source: typical}\n"
                             "  poisson_ratio: {value: 0.33, source: typical}\n"
                             "  density: {value: 8500 kg/m^3, source: book}\n"
-                            "  loss_factor: {value: 0.001, source: typical}\nsources:\n  book: \"A book\"\n",
+                            "  loss_factor: {value: 0.001, source: typical}\n"
+                            "  conductivity: {value: 120 W/(m.K), source: typical}\n"
+                            "  specific_heat: {value: 380 J/(kg.K), source: typical}\nsources:\n  book: \"A book\"\n",
     "tests/core/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\na_test.cpp\n",
     "tests/core/a_test.cpp": SPDX + "#include <twum/core/a.hpp>\n// T1.1 C1.1\n",
 }

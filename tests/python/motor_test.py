@@ -218,7 +218,7 @@ class Help(unittest.TestCase):
         self.assertEqual(str(inspect.signature(twum.evaluate)), "(motor, designs, metrics, *, jobs=0, stop=None, progress=None)")
 
     def test_tables_are_complete(self):
-        self.assertEqual((len(twum.parameter_table()), len(twum.metric_table())), (115, 100))
+        self.assertEqual((len(twum.parameter_table()), len(twum.metric_table())), (118, 100))
         self.assertEqual(twum.engineering(1.6e-6, "m"), "1.6 um")
         self.assertAlmostEqual(twum.quantity("30 rpm", "rad/s"), math.pi, delta=1e-15)
 

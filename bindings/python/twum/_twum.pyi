@@ -154,6 +154,9 @@ class Motor:
         preload: _Quantity = ...,
         F_N: _Quantity = ...,
         conductivity: _Quantity = ...,
+        substrate_conductivity: _Quantity = ...,
+        substrate_specific_heat: _Quantity = ...,
+        ceramic_specific_heat: _Quantity = ...,
         ambient_temperature: _Quantity = ...,
         reference_temperature: _Quantity = ...,
         stator_heat_capacity: _Quantity = ...,
@@ -289,6 +292,9 @@ class Motor:
         preload: _Quantity = ...,
         F_N: _Quantity = ...,
         conductivity: _Quantity = ...,
+        substrate_conductivity: _Quantity = ...,
+        substrate_specific_heat: _Quantity = ...,
+        ceramic_specific_heat: _Quantity = ...,
         ambient_temperature: _Quantity = ...,
         reference_temperature: _Quantity = ...,
         stator_heat_capacity: _Quantity = ...,
@@ -481,6 +487,12 @@ class Motor:
     def preload(self) -> float: ...
     @property
     def conductivity(self) -> float: ...
+    @property
+    def substrate_conductivity(self) -> float: ...
+    @property
+    def substrate_specific_heat(self) -> float: ...
+    @property
+    def ceramic_specific_heat(self) -> float: ...
     @property
     def ambient_temperature(self) -> float: ...
     @property

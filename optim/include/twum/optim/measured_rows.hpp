@@ -25,14 +25,19 @@ class MeasuredRows {
   /// @throws InputError if one of them is not
   void add(std::span<const double> row, double weight = 1.0);
 
+  /// Values of a row.
   std::size_t columns() const noexcept { return columns_; }
+  /// How many rows there are.
   std::size_t size() const noexcept { return sums_.size(); }
+  /// True without rows.
   bool empty() const noexcept { return sums_.empty(); }
+  /// Of all rows.
   double sum_of_weights() const noexcept { return sums_.empty() ? 0.0 : sums_.back(); }
 
   /// The row of a number from 0 to 1, which rows of the same weight share evenly. There must be a weight.
   std::span<const double> draw(double u) const;
 
+  /// Mean over the rows as they are drawn.
   double mean(std::size_t column) const;
   /// Standard deviation over the rows as they are drawn (divided by the sum of the weights).
   double sd(std::size_t column) const;
