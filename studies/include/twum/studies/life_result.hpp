@@ -41,7 +41,8 @@ struct LifeResult {
         limits;  ///< what ends lives: the depth, then those of the file, then spring and lining
     bool one_slice{false};                            ///< the whole contact is at one radius
     std::vector<Point> points;                        ///< from new to the end
-    std::vector<AtRadius> profile_new, profile_worn;  ///< under the load that is told; may be empty
+    std::vector<AtRadius> profile_new{};              ///< under the load that is told; may be empty
+    std::vector<AtRadius> profile_worn{};             ///< likewise at the end of the life
     WearStability stability{WearStability::unknown};  ///< of the new motor under that load
     std::optional<WornIn> worn_in;                    ///< the state after run-in, where it is known
   };
