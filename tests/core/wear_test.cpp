@@ -6,6 +6,7 @@
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
+#include <twum/core/worn_in.hpp>
 
 #include "support/csv_rows.hpp"
 #include "support/heat_motors.hpp"
@@ -14,6 +15,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 using namespace twum;
 using namespace twum::test;
@@ -184,6 +188,45 @@ TEST_CASE("a mission is the mean of its loads (V2.1)", "[core][wear][identity]")
   CHECK(life(design).seconds == life(design, torque_load(0.5)).seconds);
 }
 
+TEST_CASE("a mission's life is that of an integration over time (V2.1, V2.3)",
+          "[core][wear][differential]") {
+  MotorDesign design = wearing(driven_with_slices(1), 1e5);
+  design.operation = {{torque_load(0.8), 1, {}}, {torque_load(0.5), 3, {}}, {{}, 4, {}}};
+  const auto rate = [&](double depth) {
+    const Motor worn(worn_motor(design, depth));
+    const auto at = [&](double torque) {
+      return evaluate(worn, metric_at_torque(Metric::wear_rate_at, torque)).value;
+    };
+    return (at(0.8) + 3 * at(0.5)) / 8;
+  };
+  // The classical method of Runge and Kutta, which leaves (1 / 20)^4 / 120 of the change of the rate over the life, a fifth
+  const Life found = life(design);
+  constexpr int kSteps = 20;
+  const double h = found.seconds / kSteps;
+  double depth = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double a = rate(depth), b = rate(depth + h / 2 * a), c = rate(depth + h / 2 * b),
+                 d = i + 1 < kSteps ? rate(depth + h * c) : rate(*design.wear->depth_limit);
+    depth += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  CHECK(std::fabs(depth / *design.wear->depth_limit - 1) <= 1e-7);
+}
+
+TEST_CASE("a contact that sticks all through does not wear", "[core][wear][limit]") {
+  MotorDesign design = wearing(ring_motor());
+  design.layer.given_shear_modulus = 1e7;
+  design.layer.given_inertia = 0;
+  design.friction = {1, 1};
+  design.preload = 8 * full_contact_load(design);
+  REQUIRE(Motor(design).locks_at_rest());
+  const Life found = life(design, {Argument::speed, 0, 0});
+  CHECK(found.status == MetricStatus::does_not_wear);
+  CHECK(std::isinf(found.seconds));
+  CHECK(found.end == EndOfLife::none);
+  const MetricValue asked = evaluate(Motor(design), {Metric::life_at, Argument::speed, 0});
+  CHECK(asked.status == MetricStatus::does_not_wear);
+}
+
 TEST_CASE("what ends a life is told", "[core][wear]") {
   MotorDesign design = wearing(driven_with_slices(1));
   SECTION("the spring") {
@@ -330,4 +373,86 @@ TEST_CASE("heat and wear together are those of a second program",
     REQUIRE(found.status == MetricStatus::ok);
     CHECK(std::fabs(found.seconds / kHour / row["life_h"] - 1) <= 1e-4);
   }
+}
+
+namespace {
+
+// The motor elastic-layer of the second program, which has a shear modulus of its own.
+MotorDesign elastic_layer(int slices) {
+  MotorDesign design = elastic(ring_motor());
+  design.layer.given_shear_modulus = 1.1e9;
+  design.stator.radial_slices = slices;
+  return design;
+}
+
+// A number behind a word of a case, such as "T" in "{'T': 0.8}" or "taper=" in "p=1.0 taper=0.0001".
+std::optional<double> number_after(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find(word);
+  if (at == std::string::npos) return {};
+  return std::stod(text.substr(at + word.size()));
+}
+
+MotorDesign case_motor(const CsvRow& row) {
+  MotorDesign design = elastic_layer(static_cast<int>(row["N"]));
+  const std::string given = row.word("params");
+  const auto set = [&](const char* word, double& value) {
+    value = number_after(given, word).value_or(value);
+  };
+  set("p=", design.stator.radial_shape.exponent);
+  set("root=", design.stator.radial_shape.root);
+  set("taper=", design.rotor.taper);
+  set("E=", design.layer.youngs_modulus);
+  set("G=", *design.layer.given_shear_modulus);
+  set("h=", design.layer.thickness);
+  set("mu=", design.friction.kinetic);
+  set(" f=", design.stator.frequency);
+  set(" A=", design.stator.amplitude);
+  set(" F=", design.preload);
+  design.friction.threshold = design.friction.kinetic;
+  return design;
+}
+
+}  // namespace
+
+TEST_CASE("worn-in states are those of a second program (V3.4)", "[core][wear][differential]") {
+  int rows = 0;
+  for (const CsvRow& row : csv_rows("heat/wear_worn_in.csv")) {
+    const std::string load = row.word("load");
+    const auto torque = number_after(load, "'T': ");
+    const LoadPoint at = torque ? torque_load(*torque)
+                                : LoadPoint{Argument::speed, *number_after(load, "'Om': "), 0};
+    const MotorDesign design = case_motor(row);
+    CAPTURE(row.word("case"));
+    const WornIn found = worn_in(design, at);
+    REQUIRE(found.status == MetricStatus::ok);
+    CHECK(std::fabs(found.speed / row["speed"] - 1) <= 1e-7);
+    CHECK(std::fabs(found.intensity / design.friction.kinetic / row["w_W_per_m2_over_mu"] - 1) <=
+          1e-7);
+    const auto depths = row.list("depth_m"), shares = row.list("load_share");
+    REQUIRE(found.slices.size() == depths.size());
+    for (std::size_t j = 0; j < depths.size(); ++j) {
+      CHECK(std::fabs(found.slices[j].depth / depths[j] - 1) <= 1e-7);
+      CHECK(std::fabs(found.slices[j].load / design.preload / shares[j] - 1) <= 1e-7);
+    }
+    ++rows;
+  }
+  CHECK(rows == 6);
+}
+
+TEST_CASE("even wear is stable at high loads only (V3.7, C15.3)", "[core][wear][differential]") {
+  // integrations of a second program: unstable up to the lower torque, stable from the upper one
+  const auto changes_between = [](const MotorDesign& design, double unstable, double stable) {
+    for (const double torque : {0.5 * unstable, unstable})
+      CHECK(wear_stability(design, torque_load(torque)) == WearStability::uneven);
+    for (const double torque : {stable, 1.05 * stable})
+      CHECK(wear_stability(design, torque_load(torque)) == WearStability::even);
+  };
+  changes_between(elastic_layer(8), 0.6, 0.7);
+  MotorDesign drive_60 = elastic(driven_with_slices(8));
+  drive_60.stator.voltage.reset();
+  drive_60.stator.amplitude = 1.736e-6;
+  changes_between(drive_60, 0.7, 0.75);
+  CHECK(wear_stability(driven_with_slices(1), torque_load(0.5)) == WearStability::unknown);
+  CHECK(wear_stability(driven_with_slices(8), torque_load(5)) == WearStability::unknown);
+  CHECK(worn_in(driven_with_slices(8), torque_load(0.5)).status == MetricStatus::undefined);
 }

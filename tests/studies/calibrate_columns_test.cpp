@@ -64,6 +64,31 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
   CHECK(places > 0);
 }
 
+TEST_CASE("depths worn after some hours determine the specific wear",
+          "[studies][calibrate][life]") {
+  Case one;
+  one.motor = "drive-60";
+  one.set = "{specific_wear: 3e-7 mm^3/(N.m), wear_depth_limit: 100 um, radial_slices: 1}";
+  one.variables = "specific_wear: {min: 1e-7 mm^3/(N.m), max: 1e-5 mm^3/(N.m), scale: log}";
+  // the hours that a motor of known wear takes to these depths
+  constexpr double kKnown = 1e-15;
+  MotorDesign known = one.design();
+  known.wear->specific_wear = kKnown;
+  std::string csv = "torque,wear_depth_limit,life_at,life_at_sd\n";
+  for (const auto& [torque, depth] : {std::pair{0.5, 2.7e-6}, {0.5, 5e-6}, {0.8, 9e-6}}) {
+    known.wear->depth_limit = depth;
+    const MetricRequest life{Metric::life_at, Argument::torque, torque};
+    csv += number(torque) + "," + number(depth) + "," + number(evaluate(Motor(known), life).value) +
+           ",3600\n";
+  }
+  const Run run(one.file(csv));
+  CHECK(run.answer.outcome == "fitted");
+  // the hours are exact; the fit stops where a step gains less than 1e-8
+  CHECK(std::fabs(run.result().estimates[0].parameter.value / kKnown - 1) <= 1e-6);
+  // Nobody plans to wear a motor out.
+  CHECK_THAT(run.text(), !Contains("The next measurements"));
+}
+
 TEST_CASE("at a fold, where the Jacobian lacks rank only there, the profiles give the intervals",
           "[studies][calibrate]") {
   // An error of the phase acts as a smaller force factor whatever its sign: at zero it has a column of zeros, where a fit

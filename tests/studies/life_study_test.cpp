@@ -77,6 +77,59 @@ TEST_CASE("a life study tells when a life ends and why", "[studies][life]") {
   CHECK(summary_text(limited).find("start_voltage <= 120 V") != std::string::npos);
 }
 
+TEST_CASE("a life study tells how each radius wears", "[studies][life]") {
+  MotorDesign design = worn_60();
+  design.stator.radial_slices = 8;
+  const StudyResult driven = lived({.torque = 0.5, .points = 3}, design);
+  const LifeResult::Member& motor = life_of(driven).members.at(0);
+  REQUIRE(motor.profile_new.size() == 33);
+  // The mean over the area is the rate of the whole track: trapezoids of 33 radii and means of 2000 phases leave a thousandth.
+  double sum = 0, area = 0;
+  for (std::size_t i = 0; i < motor.profile_new.size(); ++i) {
+    const double weight = motor.profile_new[i].radius * (i == 0 || i == 32 ? 0.5 : 1);
+    sum += weight * motor.profile_new[i].rate, area += weight;
+  }
+  CHECK(std::fabs(sum / area / motor.points.front().wear.rate - 1) <= 5e-3);
+  CHECK(motor.stability == WearStability::uneven);
+  CHECK(!motor.worn_in);
+  CHECK(summary_text(driven).find("wears-unevenly") != std::string::npos);
+  // With a given amplitude and most of the stall torque the track stays even, and has a state after run-in.
+  design.stator.voltage.reset();
+  design.stator.amplitude = 1.736e-6;
+  const StudyResult given = lived({.torque = 0.95, .points = 3}, design);
+  REQUIRE(life_of(given).members.at(0).worn_in);
+  CHECK(summary_text(given).find("After run-in") != std::string::npos);
+  CHECK(summary_text(given).find("wears-unevenly") == std::string::npos);
+}
+
+TEST_CASE("lining and spring are among the limits of a life", "[studies][life]") {
+  MotorDesign design = worn_60();
+  design.wear->preload_spring = 1e7;  // 170 N are gone after 17 um
+  const StudyResult result = lived({.speed = 5.0, .points = 5}, design);
+  const LifeResult::Member& motor = life_of(result).members.at(0);
+  REQUIRE(motor.limits.size() == 3);
+  CHECK(motor.limits[1].text == "preload >= 0 N");
+  for (const LifeResult::Point& point : motor.points) {
+    CHECK(point.margins[1] == point.wear.preload / design.preload);
+    CHECK(point.margins[2] == point.wear.thickness / design.layer.thickness);
+  }
+}
+
+TEST_CASE("the life that most motors reach has its name", "[studies][life][uncertainty]") {
+  UncertaintyStudy asked;
+  Tolerance scatter{Parameter::specific_wear, Tolerance::Shape::lognormal};
+  scatter.sd = Spread{0.4, true};
+  asked.variables = {scatter};
+  asked.metrics = parse_metric_list("life_at(0.5 N.m)");
+  asked.samples = 50;
+  asked.quantiles = {0.1, 0.5};
+  const StudyResult result = run_study({.motor = {"motor", worn_60()}, .asked = asked});
+  const std::string text = summary_text(result);
+  CHECK(text.find("90 % of the motors reach a life_at(0.5 N.m) of ") != std::string::npos);
+  CHECK(text.find("(the life B10)") != std::string::npos);
+  CHECK(text.find("B50") == std::string::npos);
+}
+
 TEST_CASE("a family of lives tells the longest", "[studies][life]") {
   LifeStudy asked{.torque = 0.5, .points = 11};
   asked.family = CurveStudy::Family{Parameter::preload_spring, {0, 1e5, 3e5}};

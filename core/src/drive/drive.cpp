@@ -3,6 +3,8 @@
 
 #include "point/slice_count.hpp"
 
+#include <utility>
+
 namespace twum::core {
 namespace {
 
@@ -22,20 +24,19 @@ TrackRule track_of(const MotorDesign& design) {
 
 }  // namespace
 
-Drive::Drive(const MotorDesign& design)
-    : asked_(design.stator.branch),
-      waves_(waves_of(design)),
-      branch_(follow_branch(ForceLine(waves_, 0))) {}
+WavesAtRest::WavesAtRest(const MotorDesign& design)
+    : waves_(Drive::waves_of(design)),
+      line_(waves_, 0),
+      extrema_(line_.extrema()),
+      largest_(line_.largest_held()) {}
 
-// Keeps what others ask of H at rest.
-RunningBranch Drive::follow_branch(const ForceLine& at_rest) {
-  extrema_ = at_rest.extrema();
-  at_rest_ = at_rest.largest_held();
-  return {waves_, at_rest, largest_at_rest(), asked_ == Branch::dead};
-}
+Drive::Drive(const MotorDesign& design, std::shared_ptr<const WavesAtRest> at_rest)
+    : asked_(design.stator.branch),
+      at_rest_(std::move(at_rest)),
+      branch_(waves(), at_rest_->line(), at_rest_->largest(), asked_ == Branch::dead) {}
 
 std::vector<WaveSolution> Drive::solutions(double speed) const {
-  std::vector<WaveSolution> found = ForceLine(waves_, speed).solutions();
+  std::vector<WaveSolution> found = ForceLine(waves(), speed).solutions();
   for (WaveSolution& s : found)
     if (const auto runs = branch_.runs(speed, s.wave().amplitude)) s.named_running = runs;
   return found;
@@ -48,11 +49,12 @@ double Drive::begin() const {
 }
 
 DrivenMotor<double> Drive::first_motor() const {
-  if (asked_ == Branch::running && branch_.exists()) return waves_.motor(branch_.first().amplitude);
+  if (asked_ == Branch::running && branch_.exists())
+    return waves().motor(branch_.first().amplitude);
   const std::vector<WaveSolution> at_rest = solutions(0);
-  if (at_rest.empty()) return waves_.motor(branch_.exists() ? branch_.first().amplitude : 0);
+  if (at_rest.empty()) return waves().motor(branch_.exists() ? branch_.first().amplitude : 0);
   const WaveSolution& chosen = asked_ == Branch::dead ? at_rest.front() : at_rest.back();
-  return waves_.motor(chosen.wave().amplitude);
+  return waves().motor(chosen.wave().amplitude);
 }
 
 MotorPoint Drive::at(double speed) const { return branch_.at(speed, asked_ == Branch::running); }

@@ -5,16 +5,43 @@
 
 #include <twum/core/operating_point.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace twum::core {
 
+/// The waves of a motor that stands still, under every voltage. Immutable.
+class WavesAtRest {
+ public:
+  /// @param design  an admissible design with a voltage
+  explicit WavesAtRest(const MotorDesign& design);
+  WavesAtRest(const WavesAtRest&) = delete;
+  WavesAtRest& operator=(const WavesAtRest&) = delete;
+
+  const DrivenWaves& waves() const { return waves_; }
+  /// H over the amplitude.
+  const ForceLine& line() const { return line_; }
+  /// Extrema of H.
+  const std::vector<ForceExtremum>& extrema() const { return extrema_; }
+  /// The largest wave under the design's voltage, null if there is none.
+  const CurveNode* largest() const { return largest_ ? &*largest_ : nullptr; }
+
+ private:
+  DrivenWaves waves_;
+  ForceLine line_;
+  std::vector<ForceExtremum> extrema_;
+  std::optional<CurveNode> largest_;
+};
+
 /// A motor whose wave follows from voltage and load. Immutable.
 class Drive {
  public:
   /// @param design  an admissible design with a voltage
-  explicit Drive(const MotorDesign& design);
+  explicit Drive(const MotorDesign& design)
+      : Drive(design, std::make_shared<const WavesAtRest>(design)) {}
+  /// @param at_rest  of the design
+  Drive(const MotorDesign& design, std::shared_ptr<const WavesAtRest> at_rest);
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
@@ -33,20 +60,12 @@ class Drive {
   /// The motor under the wave at the beginning of the curve, or under the largest wave at rest if there is no curve.
   DrivenMotor<double> first_motor() const;
 
-  const DrivenWaves& waves() const { return waves_; }
-  /// Extrema of H at rest.
-  const std::vector<ForceExtremum>& extrema() const { return extrema_; }
-  /// The largest wave at rest, null if there is none.
-  const CurveNode* largest_at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
+  const DrivenWaves& waves() const { return at_rest_->waves(); }
   const RunningBranch& branch() const { return branch_; }
 
  private:
-  RunningBranch follow_branch(const ForceLine& at_rest);
-
   Branch asked_;
-  DrivenWaves waves_;
-  std::vector<ForceExtremum> extrema_;
-  std::optional<CurveNode> at_rest_;
+  std::shared_ptr<const WavesAtRest> at_rest_;
   RunningBranch branch_;
 };
 

@@ -9,37 +9,61 @@
 
 namespace twum::core {
 
-/// The drive of a motor, found when it is first asked for: following the running wave costs hundreds of points, and a motor whose
-/// drive follows does not need it. Any number of threads may ask.
+/// A value that is found when it is first asked for. Any number of threads may ask: two that ask at once both search, and find the
+/// same.
+template <typename T>
+class Lazy {
+ public:
+  Lazy() = default;
+  ~Lazy() { delete found_.load(); }
+  Lazy(const Lazy&) = delete;
+  Lazy& operator=(const Lazy&) = delete;
+
+  /// @param make  gives a unique_ptr to the value
+  template <typename Make>
+  const T& get(Make make) const {
+    if (const T* known = found_.load()) return *known;
+    const HeldTraps traps;
+    std::unique_ptr<const T> mine = make();
+    const T* first = nullptr;
+    return found_.compare_exchange_strong(first, mine.get()) ? *mine.release() : *first;
+  }
+
+ private:
+  mutable std::atomic<const T*> found_{nullptr};
+};
+
+/// The drive of a motor. Following the running wave costs hundreds of points, and a motor whose drive follows does not need it; nor
+/// do the voltages and frequencies at which waves at rest appear and vanish.
 class LazyDrive {
  public:
   explicit LazyDrive(const MotorDesign& design) : design_(design) {}
-  ~LazyDrive() { delete found_.load(); }
-  LazyDrive(const LazyDrive&) = delete;
-  LazyDrive& operator=(const LazyDrive&) = delete;
 
+  const WavesAtRest& at_rest() const { return *rest(); }
   const Drive& drive() const { return found().drive; }
   /// The motor under the wave with which the curve begins.
   const DrivenMotor<double>& model() const { return found().model; }
 
  private:
+  using Rest = std::shared_ptr<const WavesAtRest>;
   struct Found {
-    explicit Found(const MotorDesign& design) : drive(design), model(drive.first_motor()) {}
+    Found(const MotorDesign& design, const Rest& at_rest)
+        : drive(design, at_rest), model(drive.first_motor()) {}
     Drive drive;
     DrivenMotor<double> model;
   };
 
-  // Two threads that ask at once both search, and find the same.
+  const Rest& rest() const {
+    return rest_.get(
+        [&] { return std::make_unique<const Rest>(std::make_shared<const WavesAtRest>(design_)); });
+  }
   const Found& found() const {
-    if (const Found* known = found_.load()) return *known;
-    const HeldTraps traps;
-    auto mine = std::make_unique<const Found>(design_);
-    const Found* first = nullptr;
-    return found_.compare_exchange_strong(first, mine.get()) ? *mine.release() : *first;
+    return found_.get([&] { return std::make_unique<const Found>(design_, rest()); });
   }
 
   MotorDesign design_;
-  mutable std::atomic<const Found*> found_{nullptr};
+  Lazy<Rest> rest_;
+  Lazy<Found> found_;
 };
 
 }  // namespace twum::core

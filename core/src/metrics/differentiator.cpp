@@ -85,6 +85,14 @@ Differentiator::Differentiator(const Motor& motor, std::unique_ptr<const Followe
       model_(moving_motor(values_)),
       slopes_(direction_slopes(design_, fixed_static_friction)) {}
 
+Differentiator::Differentiator(const Motor& motor, std::unique_ptr<const RestCurve> at_rest,
+                               bool fixed_static_friction)
+    : design_(motor.design()),
+      values_(motor, std::move(at_rest)),
+      m_(values_.first_motor()),
+      model_(moving_motor(values_)),
+      slopes_(direction_slopes(design_, fixed_static_friction)) {}
+
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
   std::array<double, kParameterCount> gradient = core::in_parameters(dual, slopes_);
   // Modes of other numbers of waves are computed only where they are asked for.

@@ -37,6 +37,9 @@ class Differentiator {
   /// Of a motor under a voltage at the one point that is known.
   Differentiator(const Motor& motor, std::unique_ptr<const FollowedCurve> known,
                  bool fixed_static_friction);
+  /// Of a motor under a voltage that stands still, for its thresholds.
+  Differentiator(const Motor& motor, std::unique_ptr<const RestCurve> at_rest,
+                 bool fixed_static_friction);
 
   MetricDerivative differentiate(const MetricRequest& request);
   /// A point metric at a speed, which stays, or where the curve falls through a torque, which stays.

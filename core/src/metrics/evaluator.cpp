@@ -30,6 +30,9 @@ Evaluator::Evaluator(const Motor& motor, std::unique_ptr<const FollowedCurve> kn
   points_.push_back({&point.motor, point.solved});
 }
 
+Evaluator::Evaluator(const Motor& motor, std::unique_ptr<const RestCurve> at_rest)
+    : motor_(motor), curve_(std::move(at_rest)), m_(curve_->motor()), search_(*curve_) {}
+
 const StatorModes<double>& Evaluator::modes() const {
   if (!MotorParts::modes(motor_)) throw SearchFailure{MetricStatus::undefined};
   return *MotorParts::modes(motor_);
@@ -37,12 +40,11 @@ const StatorModes<double>& Evaluator::modes() const {
 
 Thresholds& Evaluator::thresholds() {
   modes();
-  if (!thresholds_)
-    thresholds_.emplace(
-        motor_.design(), m_.track,
-        MotorParts::drive(motor_) ? std::optional(MotorParts::drive(motor_)->extrema())
-                                  : std::nullopt,
-        MotorParts::drive(motor_) ? MotorParts::drive(motor_)->largest_at_rest() : nullptr);
+  if (thresholds_) return *thresholds_;
+  const WavesAtRest* rest = MotorParts::at_rest(motor_);
+  thresholds_.emplace(motor_.design(), m_.track,
+                      rest ? std::optional(rest->extrema()) : std::nullopt,
+                      rest ? rest->largest() : nullptr);
   return *thresholds_;
 }
 

@@ -4,6 +4,7 @@
 #include "drive/thresholds.hpp"
 #include "metrics/followed_wave.hpp"
 #include "metrics/metric_rows.hpp"
+#include "metrics/motor_curve.hpp"
 
 #include <deque>
 #include <map>
@@ -22,6 +23,8 @@ class Evaluator {
   explicit Evaluator(const Motor& motor);
   /// Of a motor under a voltage at the one point that is known.
   Evaluator(const Motor& motor, std::unique_ptr<const FollowedCurve> known);
+  /// Of a motor under a voltage that stands still, for its thresholds.
+  Evaluator(const Motor& motor, std::unique_ptr<const RestCurve> at_rest);
 
   MetricValue evaluate(const MetricRequest& request);
   /// A point metric at a speed.

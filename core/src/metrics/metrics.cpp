@@ -51,6 +51,12 @@ bool needs_no_wave(Metric metric) {
          metric == Metric::stator_mass || false;
 }
 
+// Numbers of the waves at rest: the running wave need not be followed over the speed.
+bool needs_no_running_wave(Metric metric) {
+  return metric == Metric::start_voltage || metric == Metric::hold_voltage ||
+         metric == Metric::start_frequency || metric == Metric::pull_out_frequency;
+}
+
 // What provide_motion_metrics() was given.
 MakeMotionMetrics make_motion_metrics = nullptr;
 
@@ -68,7 +74,10 @@ class Parts {
         held_(motor.design()),
         heat_(motor),
         wear_(motor.design()),
-        make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }) {}
+        make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }),
+        make_at_rest_([=](const Motor& m, std::optional<Answers>& to) {
+          to.emplace(m, std::make_unique<const RestCurve>(*MotorParts::at_rest(m)), more...);
+        }) {}
 
   // @param ask  by each of the parts
   template <typename Ask>
@@ -85,6 +94,10 @@ class Parts {
       if (!of_still_) make_(*still_, of_still_);
       return ask(*of_still_);
     }
+    if (motor_.design().stator.voltage && needs_no_running_wave(request.metric) && !of_motor_) {
+      if (!of_rest_) make_at_rest_(motor_, of_rest_);
+      return ask(*of_rest_);
+    }
     if (!of_motor_) make_(motor_, of_motor_);
     return ask(*of_motor_);
   }
@@ -95,9 +108,9 @@ class Parts {
   HeatMetrics heat_;
   WearMetrics wear_;
   std::unique_ptr<MotionMetrics> motion_;
-  std::function<void(const Motor&, std::optional<Answers>&)> make_;
+  std::function<void(const Motor&, std::optional<Answers>&)> make_, make_at_rest_;
   std::optional<Motor> still_;
-  std::optional<Answers> of_motor_, of_still_;
+  std::optional<Answers> of_motor_, of_still_, of_rest_;
 };
 
 }  // namespace

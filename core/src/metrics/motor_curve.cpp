@@ -112,4 +112,18 @@ CurveSlope DrivenCurve::slope(double speed, const WarmStart*) const {
       at.solved.start()};
 }
 
+// Under a wave that it has at some voltage.
+DrivenMotor<double> RestCurve::any_of(const WavesAtRest& waves) {
+  if (waves.largest()) return waves.waves().motor(waves.largest()->amplitude);
+  return waves.waves().motor(waves.extrema().empty() ? 0 : waves.extrema().front().amplitude);
+}
+
+CurvePoint RestCurve::point(double, const WarmStart*, double) const {
+  throw SearchFailure{MetricStatus::unresolved};
+}
+
+CurveSlope RestCurve::slope(double, const WarmStart*) const {
+  throw SearchFailure{MetricStatus::unresolved};
+}
+
 }  // namespace twum::core

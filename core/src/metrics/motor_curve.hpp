@@ -44,4 +44,20 @@ class DrivenCurve final : public Curve {
   const Drive& drive_;
 };
 
+/// Of a motor under a voltage that stands still: no point of its curve is searched, both throw.
+class RestCurve final : public Curve {
+ public:
+  /// @param waves  have to outlive the curve
+  explicit RestCurve(const WavesAtRest& waves)
+      : Curve(motor_, Waves::each_its_own), motor_(any_of(waves)) {}
+
+  CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
+  CurveSlope slope(double speed, const WarmStart* guess) const override;
+
+ private:
+  static DrivenMotor<double> any_of(const WavesAtRest& waves);
+
+  DrivenMotor<double> motor_;
+};
+
 }  // namespace twum::core

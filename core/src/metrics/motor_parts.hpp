@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "drive/lazy_drive.hpp"
+
 #include <twum/core/motor.hpp>
 
 namespace twum::core {
@@ -9,6 +11,10 @@ namespace twum::core {
 struct MotorParts {
   /// The drive of a motor under a voltage, else null.
   static const Drive* drive(const Motor& motor) { return motor.drive(); }
+  /// The waves at rest of a motor under a voltage, else null: found without its running wave.
+  static const WavesAtRest* at_rest(const Motor& motor) {
+    return motor.drive_ ? &motor.drive_->at_rest() : nullptr;
+  }
   /// The modes of the stator, null without modal data.
   static const StatorModes<double>* modes(const Motor& motor) { return motor.modes_.get(); }
   static const DrivenMotor<double>& model(const Motor& motor) { return motor.model(); }

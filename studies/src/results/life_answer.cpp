@@ -10,6 +10,23 @@ std::string ended_by(const LifeResult::Member& member) {
   return to_string(member.life.end);
 }
 
+Json profile_json(const std::vector<LifeResult::AtRadius>& profile) {
+  Json list = Json::array();
+  for (const LifeResult::AtRadius& one : profile)
+    list.push_back({{"radius", one.radius}, {"wear_rate", number_json(one.rate)}});
+  return list;
+}
+
+Json worn_in_json(const WornIn& state) {
+  Json slices = Json::array();
+  for (const WornInSlice& slice : state.slices)
+    slices.push_back({{"radius", slice.radius}, {"load", slice.load}, {"worn", slice.worn}});
+  return {{"speed", state.speed},
+          {"torque", state.torque},
+          {"wear_intensity", state.intensity},
+          {"slices", slices}};
+}
+
 Json living_json(const LifeResult& result, const LifeResult::Member& member) {
   const bool known = member.status == "ok";
   Json json = Json::object();
@@ -39,6 +56,10 @@ Json living_json(const LifeResult& result, const LifeResult::Member& member) {
     for (const double margin : point.margins) row["margins"].push_back(number_json(margin));
     json["course"].push_back(std::move(row));
   }
+  json["profile"] = {{"new", profile_json(member.profile_new)},
+                     {"worn", profile_json(member.profile_worn)}};
+  json["wear_stability"] = to_string(member.stability);
+  json["worn_in"] = member.worn_in ? worn_in_json(*member.worn_in) : Json(nullptr);
   return json;
 }
 
@@ -50,8 +71,9 @@ Json answer_json(const LifeResult& result) {
   if (result.family)
     life["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
   life["load"] = load_json(result.load);
-  life["units"] = {{"depth", "m"},     {"seconds", "s"}, {"wear_rate", "m/s"},
-                   {"thickness", "m"}, {"preload", "N"}, {"contact_temperature", "K"}};
+  life["units"] = {
+      {"depth", "m"},  {"seconds", "s"}, {"wear_rate", "m/s"},        {"thickness", "m"},
+      {"radius", "m"}, {"preload", "N"}, {"contact_temperature", "K"}};
   for (const StoredColumn& column : result.columns) life["units"][column.name] = column.unit;
   if (result.family) {
     life["units"][result.family->name] = result.family->unit;

@@ -55,6 +55,12 @@ Phrase slice_remark() {
           name_part("radial_slices"), ": auto."};
 }
 
+Phrase uneven_remark() {
+  return {"Even wear is ", bad("not stable"),
+          " under this load if each radius wears by itself (wears-unevenly): a radius that is a "
+          "little less worn takes over the load. The life takes the track to wear evenly."};
+}
+
 double hours_of(const LifeResult::Point& point) { return point.wear.seconds / kHour; }
 
 // Of the motor alone: how far each limit is kept, as a share of what the new motor had.
@@ -134,6 +140,58 @@ Section courses(const LifeResult& answer) {
   return section;
 }
 
+Series over_radius(const std::string& name, const std::vector<LifeResult::AtRadius>& profile,
+                   std::size_t colour) {
+  Series series{name, Stroke::line, {}, {}, colour_of(colour)};
+  for (const LifeResult::AtRadius& one : profile) {
+    series.x.values.push_back(1e3 * one.radius);
+    series.y.values.push_back(1e9 * kHour * one.rate);
+  }
+  return series;
+}
+
+// Of the motor alone.
+Section over_track(const Worn& motor) {
+  Section section{{"Wear across the track"},
+                  {"The rate at which each radius would wear by itself, at the reference "
+                   "temperature. The life takes the track to wear evenly, at the mean of this "
+                   "rate. Where the rate differs most from the mean, the real track becomes "
+                   "uneven."}};
+  Chart chart{"wear-profile",
+              {"rate of wear over the radius"},
+              {{"radius"}, "mm", true},
+              {{"rate of wear"}, "nm/h", true}};
+  chart.series = {over_radius("new", motor.profile_new, 0),
+                  over_radius("worn", motor.profile_worn, 1)};
+  section.charts = {chart};
+  return section;
+}
+
+// Of the motor alone.
+Section after_run_in(const WornIn& state, double preload) {
+  Section section{
+      {"After run-in"},
+      {{"If each radius wears by itself, all wear at the same rate after run-in, which "
+        "removes about as much as the wave presses into the layer. The rotor then turns "
+        "at ",
+        value_part(state.speed, "rad/s"), " under ", value_part(state.torque, "N.m"), "."}}};
+  Table table{"worn-in", {{"radius"}, {"share of the preload"}, {"worn by run-in"}}, {}};
+  Chart chart{"run-in-profile",
+              {"depth worn by run-in"},
+              {{"radius"}, "mm", true},
+              {{"depth"}, "nm", true}};
+  Series series{"", Stroke::line, {}, {}, colour_of(0)};
+  for (const WornInSlice& slice : state.slices) {
+    table.rows.push_back({{value_part(slice.radius, "m", 4)},
+                          {share_part(slice.load / preload)},
+                          {value_part(slice.worn, "m", 3)}});
+    series.x.values.push_back(1e3 * slice.radius), series.y.values.push_back(1e9 * slice.worn);
+  }
+  chart.series = {series};
+  section.tables = {table}, section.charts = {chart};
+  return section;
+}
+
 Section new_and_worn(const LifeResult& answer) {
   Section section{{"New and worn"}, {"The motor when new and at the end of its life."}};
   Table table{"new-and-worn", {{"motor"}, {"quantity"}, {"new"}, {"worn"}}, {}};
@@ -194,6 +252,7 @@ Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
   append(phrase, {"."});
   std::vector<Phrase> remarks;
   if (motor.one_slice) remarks.push_back(slice_remark());
+  if (motor.stability == WearStability::uneven) remarks.push_back(uneven_remark());
   const bool none = !has_life(motor) && motor.status != "does-not-wear";
   return {none ? Headline::Look::bad : Headline::Look::plain,
           "",
@@ -211,6 +270,11 @@ std::vector<Section> sections_of(const LifeResult& answer, const Sources& /*sour
   if (!answer.family && !answer.members.front().limits.empty())
     sections.push_back(margins(answer.members.front()));
   sections.push_back(courses(answer));
+  if (!answer.family && !answer.members.front().profile_new.empty())
+    sections.push_back(over_track(answer.members.front()));
+  const Worn& first = answer.members.front();
+  if (!answer.family && first.worn_in)
+    sections.push_back(after_run_in(*first.worn_in, first.points.front().wear.preload));
   sections.push_back(new_and_worn(answer));
   return sections;
 }

@@ -5,7 +5,10 @@
 #include "telling/scatter_matrix.hpp"
 #include "telling/tellings.hpp"
 
+#include <twum/core/metrics.hpp>
+#include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
+#include <twum/motors/expression.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +61,27 @@ Phrase missing_phrase(const UncertaintyResult::Metric& metric, std::uint64_t mis
                        : " have no value; the statistics are those of the others."};
 }
 
+bool is_life(const std::string& metric) {
+  const MetricExpression expression = parse_metric(metric);
+  const MetricRequest* request = expression.request();
+  return request != nullptr && !request->worn_at && info(request->metric).needs_wear &&
+         request->metric != Metric::wear_rate_at;
+}
+
+// A life that most motors reach, by its usual name: B10 is that of 90 % of the motors.
+std::vector<Phrase> lives_reached(const UncertaintyResult& answer) {
+  std::vector<Phrase> list;
+  for (const UncertaintyResult::Metric& metric : answer.metrics)
+    for (const UncertaintyResult::Quantile& one : metric.quantiles) {
+      if (!(one.probability < 0.5) || metric.count == 0 || !is_life(metric.column.name)) continue;
+      list.push_back({share_part(1 - one.probability), " of the motors reach a ",
+                      name_part(metric.column.name), " of ",
+                      strong(value_part(one.value.value, metric.column.unit)), " (the life B",
+                      number_text(100 * one.probability), ")."});
+    }
+  return list;
+}
+
 std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
   const std::string drawn = answer.weighted
                                 ? " drawn near " + counted(answer.ways, "point") +
@@ -73,6 +97,7 @@ std::vector<Phrase> spread_sentences(const UncertaintyResult& answer) {
     append(list.back(), values_phrase(answer.nominal));
     append(list.back(), {"."});
   }
+  for (Phrase& one : lives_reached(answer)) list.push_back(std::move(one));
   for (const UncertaintyResult::Metric& metric : answer.metrics)
     if (const std::uint64_t missing = answer.samples - metric.count; missing > 0)
       list.push_back(missing_phrase(metric, missing));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/life.hpp>
+#include <twum/core/worn_in.hpp>
 #include <twum/io/column.hpp>
 
 #include <cstdint>
@@ -26,15 +27,24 @@ struct LifeResult {
     std::string text;   ///< as typed, such as "start_voltage <= 120 V"
     bool ended{false};  ///< it is what ended the life
   };
+  /// A radius of the track.
+  struct AtRadius {
+    double radius;  ///< [m]
+    double rate;    ///< at which it would wear by itself [m/s]
+  };
   /// One motor.
   struct Member {
     double value{0};     ///< of the family's parameter, SI; NaN for the motor alone
     Life life{};         ///< when it ends, and why
     std::string status;  ///< "ok", or why there is no life
     std::vector<Limit>
-        limits;  ///< what ends lives: the depth, then those of the file, then lining, spring and load
-    bool one_slice{false};      ///< the whole contact is at one radius
-    std::vector<Point> points;  ///< from new to the end
+        limits;  ///< what ends lives: the depth, then those of the file, then spring and lining
+    bool one_slice{false};                            ///< the whole contact is at one radius
+    std::vector<Point> points;                        ///< from new to the end
+    std::vector<AtRadius> profile_new{};              ///< under the load that is told; may be empty
+    std::vector<AtRadius> profile_worn{};             ///< likewise at the end of the life
+    WearStability stability{WearStability::unknown};  ///< of the new motor under that load
+    std::optional<WornIn> worn_in;                    ///< the state after run-in, where it is known
   };
   std::optional<StoredColumn> family;  ///< nothing for the motor alone
   std::optional<LoadPoint> load;       ///< that was asked for; nothing: the operation

@@ -155,7 +155,7 @@ class Planner {
   void add(const MeasuredPoint& like, const Reading& reading,
            const std::vector<ParameterValue>& set, std::vector<Candidate>& list) const {
     MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set, {}, {}, like.table};
-    if (!was_reached(like, point) && overheats(point)) return;
+    if ((!was_reached(like, point) && overheats(point)) || takes_a_life(point)) return;
     optim::Residuals found = fit_.asking({point}).residuals(values_);
     if (!found.failure.empty()) return;
     list.push_back({std::move(point), in_ranges(found.jacobian.data())});
@@ -177,6 +177,13 @@ class Planner {
     margin.metric = Metric::temperature_margin_at;
     const MetricValue found = evaluate(Motor(design), margin);
     return found.status == MetricStatus::ok && found.value < 0;
+  }
+
+  // Nobody plans to wear a motor out. Depths after some hours are measured where it runs anyway.
+  static bool takes_a_life(const MeasuredPoint& point) {
+    const auto* request = std::get_if<MetricRequest>(&point.reading);
+    return request != nullptr && info(request->metric).needs_wear &&
+           request->metric != Metric::wear_rate_at;
   }
 
   // Mean weight of the points of its kind on its motor, assumed for a further point.

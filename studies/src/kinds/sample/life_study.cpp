@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample/family_run.hpp"
+#include "kinds/sample/wear_profile.hpp"
 
 #include <twum/base/no_value.hpp>
 #include <twum/core/life.hpp>
@@ -135,6 +136,13 @@ class LifeRun : public FamilyRun<LifeResult> {
     for (const WearPoint& wear : wear_course(design, load, depths))
       one.points.push_back(point_of(design, wear));
     set_margins(design, one);
+    if (const auto told = told_load(asked_, design)) {
+      one.profile_new = wear_profile(design, *told);
+      one.profile_worn = wear_profile(worn_motor(design, one.life.depth), *told);
+      one.stability = wear_stability(design, *told);
+      if (WornIn state = worn_in(design, *told); state.status == MetricStatus::ok)
+        one.worn_in = std::move(state);
+    }
     return one;
   }
 
@@ -146,6 +154,10 @@ class LifeRun : public FamilyRun<LifeResult> {
     for (std::size_t i = 0; i < design.wear->until.size(); ++i)
       limits.push_back(
           {design.wear->until[i].text, life.end == EndOfLife::limit && life.limit == i});
+    if (design.wear->preload_spring > 0)
+      limits.push_back({"preload >= 0 N", life.end == EndOfLife::preload_gone});
+    if (design.wear->specific_wear.value_or(0) > 0)
+      limits.push_back({"thickness >= 0 m", life.end == EndOfLife::worn_through});
     return limits;
   }
 
@@ -170,6 +182,10 @@ class LifeRun : public FamilyRun<LifeResult> {
         if (first.size() <= j) first.push_back(left);
         point.margins.push_back(left / first[j]);
       }
+      if (design.wear->preload_spring > 0)
+        point.margins.push_back(point.wear.preload / design.preload);
+      if (design.wear->specific_wear.value_or(0) > 0)
+        point.margins.push_back(point.wear.thickness / design.layer.thickness);
     }
   }
 
