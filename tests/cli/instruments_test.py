@@ -108,8 +108,15 @@ class Impedances(program.Case):
                            "    conductance: {column: 2, unit: mS}\n    susceptance: {column: CH2, unit: mS, sign: reversed}\n")
         self.assertNotIn("does not use", said)
 
+    def test_a_conductance_of_the_other_sign_is_called_that(self):
+        self.write("z.csv", table(("f (Hz)", "G (S)", "B (S)"), lambda y: (-y.real, -y.imag)))
+        study = self.write("fit.yaml", f"twum: 1\nmotor: {DRIVE}\nstudy:\n  kind: calibrate\n  data: z.csv\n"
+                                       "  variables: {quality_factor: {min: 50, max: 600}}\n")
+        said = twum("run", study, "-o", self.folder / "fit").stdout.decode()
+        self.assertIn("The signs of conductance look reversed", said)
+
     def test_what_is_wrong_in_a_touchstone_file_is_told_at_its_line(self):
-        for row, words in (("38000 0.5", "2 words in a line"), ("38000 0.5 x", "3 words in a line"), ("38000 -1 0", "short circuit")):
+        for row, words in (("38000 0.5", "2 words in a line"), ("38000 0.5 x", "'x' is not a number"), ("38000 -1 0", "short circuit")):
             self.write("z.s1p", f"# HZ S RI R 50\n37000 0.5 0.5\n{row}\n")
             study = self.write("fit.yaml", f"twum: 1\nmotor: {DRIVE}\nstudy:\n  kind: calibrate\n  data: z.s1p\n"
                                            "  variables: {quality_factor: {min: 50, max: 600}}\n")

@@ -159,6 +159,30 @@ TEST_CASE("a row of units has a unit for a known column, and no number", "[studi
   CHECK(plain("speed,torque\nrpm,5\n").text == "speed,torque\nrpm,5\n");
 }
 
+TEST_CASE("a heading and the row of units agree on the unit", "[studies][csv][error]") {
+  CHECK(plain("speed (rpm),torque\nr/min,N.m\n1,2\n").text == "speed (rpm),torque [N.m]\n\n1,2\n");
+  CHECK_THROWS_WITH(
+      plain("speed [rad/s],torque\nrpm,N.m\n1,2\n"),
+      "t.csv:2: the row of units has 'rpm' for the heading 'speed [rad/s]'; leave one "
+      "of the two units out");
+  CHECK_NOTHROW(plain("speed,other [V]\nrpm,mV\n1,2\n"));  // a column that is not used
+}
+
+TEST_CASE("headings stand once", "[studies][csv][error]") {
+  CHECK_THROWS_WITH(plain("# a\nspeed,torque\n1,2\nspeed,torque\n3,4\n"),
+                    "t.csv:4: the headings of line 2 again; leave this line out");
+  CHECK_NOTHROW(plain("a,b\n1,2\na,b\n"));  // of headings that nobody knows the reader tells
+}
+
+TEST_CASE("a file that ends within a number is not read", "[studies][csv][error]") {
+  CHECK_THROWS_WITH(plain("speed,torque\n1,2\n3,0."),
+                    "t.csv:3: the file ends within a number: '0.'; copy all of it, or leave this "
+                    "line out");
+  CHECK_NOTHROW(plain("speed,torque\n1,2\n3,0.\n"));  // the line is whole
+  CHECK_NOTHROW(plain("speed,torque\n1,2\n3,0"));     // as many editors end a file
+  CHECK_NOTHROW(plain("speed,remark\n1,2\n3,done."));
+}
+
 TEST_CASE("a word below the rows is left out", "[studies][csv]") {
   CHECK(plain("BEGIN CH1\nspeed,torque\n1,2\n3,4\nEND\n\n").text ==
         "\nspeed,torque\n1,2\n3,4\n\n\n");
@@ -188,8 +212,20 @@ TEST_CASE("commas in numbers are read, or refused with what they may mean",
   CHECK(comma_readings("-12,345,678").decimal.empty());
   CHECK(comma_readings("1,2,3").decimal.empty());
   CHECK(comma_readings("12").decimal.empty());
-  CHECK(comma_complaint("1,200", " N").expected == "write '1.200 N' or '1200 N'");
-  CHECK(comma_complaint("12").found.empty());
+  CHECK(number_complaint("1,200", " N").expected == "write '1.200 N' or '1200 N'");
+  CHECK(number_complaint("12").found.empty());
+  CHECK(number_complaint("\xE2\x88\x92"
+                         "1.5",
+                         " N")
+            .expected == "write '-1.5 N'");
+  for (const char* grouped : {"12 345.5", "12'345.5",
+                              "12\xC2\xA0"
+                              "345.5",
+                              "12\xE2\x80\xAF"
+                              "345.5"})
+    CHECK(number_complaint(grouped).expected == "write '12345.5'");
+  for (const char* other : {"1 2", "12 34", "1 200 N", "a 200", "", " ", "'", "1'2000"})
+    CHECK(number_complaint(other).found.empty());
 }
 
 TEST_CASE("characters outside the first plane come out of UTF-16", "[studies][csv]") {

@@ -69,7 +69,7 @@ class Batch(unittest.TestCase):
     def test_wrong_questions_are_refused(self):
         for asked, words in (({"preload": [1.0, 2.0], "thickness": [1e-4] * 3}, "3 values, but another parameter has 2"),
                              ({"preload": np.ones((2, 2))}, "one dimension"),
-                             ({"preload": [1.0], "F_N": [2.0]}, "exclude each other"),
+                             ({"preload": [1.0], "F_N": [2.0]}, "preload is given twice"),
                              ({"poisson_ratio": [0.3], "G": [1e9]}, "exclude each other"),
                              ({"pre_load": [1.0]}, "did you mean 'preload'"),
                              ({"preload": "3 kg"}, "mass")):

@@ -4,6 +4,8 @@
 #include "motor_answers.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/io/engineering.hpp>
+#include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
 namespace twum::python {
@@ -66,6 +68,16 @@ OperatingPoint point_from(const py::object& state) {
   return point;
 }
 
+std::string point_text(const OperatingPoint& point) {
+  const std::string speed = studies::engineering(point.speed, "rad/s");
+  const bool answered = point.status == PointStatus::ok;
+  return "<twum.OperatingPoint at " + speed + ": " +
+         (answered ? "torque " + studies::engineering(point.torque, "N.m") + ", output power " +
+                         studies::engineering(point.output_power, "W")
+                   : std::string(to_string(point.status))) +
+         ">";
+}
+
 void add_operating_point(py::module_& module) {
   py::class_<OperatingPoint> point(
       module, "OperatingPoint",
@@ -81,6 +93,7 @@ void add_operating_point(py::module_& module) {
   point.def_property_readonly(
       "status", [](const OperatingPoint& p) { return to_string(p.status); },
       "'ok', or the short reason why there is no answer.");
+  point.def("__repr__", &point_text);
   add_pickling(point, point_state, point_from);
 }
 
@@ -119,6 +132,19 @@ PyDerivative derivative_from(const py::object& state) {
   return {of};
 }
 
+// The value with the derivatives that are not 0.
+std::string derivative_text(const PyDerivative& self) {
+  if (self.of.value.status != MetricStatus::ok)
+    return "<twum.Derivative: no value, " + std::string(to_string(self.of.value.status)) + ">";
+  std::string text = "<twum.Derivative of " + io::number_text(self.of.value.value) + ", " +
+                     to_string(self.of.smoothness) + ":";
+  for (const ParameterInfo& row : parameter_table()) {
+    const double slope = self.of.gradient[index_of(row.parameter)];
+    if (slope != 0) text += " " + std::string(row.name) + " " + io::rounded_text(slope, 4);
+  }
+  return text + ">";
+}
+
 void add_derivative(py::module_& module) {
   py::class_<PyDerivative> derivative(
       module, "Derivative",
@@ -137,6 +163,7 @@ void add_derivative(py::module_& module) {
   derivative.def_property_readonly("gradient", &gradient_dict,
                                    "Every derivative by the name of its parameter.");
   derivative.def("__getitem__", &entry_of, py::arg("parameter"));
+  derivative.def("__repr__", &derivative_text);
   add_pickling(derivative, derivative_state, derivative_from);
 }
 

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <variant>
 
 namespace twum::python {
@@ -39,34 +40,35 @@ bool is_single(const py::handle& value) {
   return py::isinstance<py::str>(value) || number_of(value).has_value();
 }
 
-Array column_values(Parameter parameter, const py::handle& value) {
-  const auto one = [parameter](py::handle entry) { return to_parameter_value(parameter, entry); };
-  if (is_single(value)) return to_array({one(value)});
-  const std::string name(info(parameter).name);
-  const Array values = to_numbers(name, value, one);
-  if (values.ndim() != 1)
-    throw InputError(name + ": expected one value or an array of one dimension, not " +
-                     std::to_string(values.ndim()));
-  return values;
-}
-
 void refuse_alternatives_together(const std::vector<ParameterColumn>& columns,
                                   const ParameterColumn& one) {
   for (const ParameterColumn& other : columns) {
     const bool same = other.parameter == one.parameter;
-    if (same || info(one.parameter).alternative == other.parameter)
+    if (same)
+      throw InputError("designs: " + std::string(info(one.parameter).name) + " is given twice");
+    if (info(one.parameter).alternative == other.parameter)
       throw InputError(std::string(info(other.parameter).name) + " and " +
                        std::string(info(one.parameter).name) +
                        " exclude each other; give one of them");
   }
 }
 
-// A column of a mapping that may hold others: a parameter by a heading such as "amplitude [um]", or nothing.
+// A column that is a parameter, by a heading such as "amplitude [um]".
 struct NamedColumn {
   Parameter parameter;
-  std::optional<studies::Scale> scale;  // of a heading with a unit; nothing: SI
+  std::optional<studies::Scale> scale{};  // of a heading with a unit; nothing: SI
 };
 
+studies::Scale scale_of(const std::string& heading, std::string_view unit,
+                        const ParameterInfo& row) {
+  try {
+    return studies::parse_unit(unit, {row.unit, row.example, row.absolute});
+  } catch (const InputError& error) {
+    throw InputError("column " + studies::quoted(heading) + ": " + error.what());
+  }
+}
+
+// Nothing for a column that is no parameter.
 std::optional<NamedColumn> named_column(const std::string& heading) {
   for (const studies::Heading& form : studies::heading_forms(heading)) {
     const auto parameter = studies::parameter_named(form.name);
@@ -76,35 +78,81 @@ std::optional<NamedColumn> named_column(const std::string& heading) {
       throw InputError("column " + studies::quoted(heading) + ": " +
                        studies::bare_letter_words(form.name, row) + "; " +
                        studies::bare_letter_advice(row));
-    if (!form.has_unit) return NamedColumn{*parameter, {}};
-    return NamedColumn{*parameter,
-                       studies::parse_unit(form.unit, {row.unit, row.example, row.absolute})};
+    if (!form.has_unit) return NamedColumn{*parameter};
+    return NamedColumn{*parameter, scale_of(heading, form.unit, row)};
   }
   return {};
 }
 
-// Numbers in the unit of a heading; texts carry their own.
-Array scaled_values(const NamedColumn& column, const py::handle& value) {
-  const std::string name(info(column.parameter).name);
-  return to_numbers(name, value, [&](py::handle entry) {
-    const auto number = number_of(entry);
-    if (!number) return to_parameter_value(column.parameter, entry);
-    return column.scale->read(studies::number_text(*number)).value_or(kNoValue);
-  });
+// A dictionary is written for this call: it has no other columns, and a letter is the symbol of a parameter.
+NamedColumn typed_column(const std::string& name) {
+  if (find_parameter(name)) return {studies::parse_parameter(name)};
+  if (const auto named = named_column(name)) return *named;
+  return {studies::parse_parameter(name)};  // throws, with the name that may be meant
 }
 
-void warn_of_unused(const std::vector<std::string>& headings) {
-  if (headings.empty()) return;
-  std::string text = "designs: columns that are no parameters and are not used: ";
-  for (const std::string& heading : headings)
-    text += (&heading == headings.data() ? "" : ", ") + studies::quoted(heading);
-  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+// A number, or the text of one, in the unit of the heading; another text carries its own.
+double number_in(const NamedColumn& column, py::handle entry) {
+  if (!column.scale) return to_parameter_value(column.parameter, entry);
+  if (const auto number = number_of(entry))
+    return column.scale->read(studies::number_text(*number)).value_or(kNoValue);
+  if (py::isinstance<py::str>(entry))
+    if (const auto read = column.scale->read(to_text("designs", entry))) return *read;
+  return to_parameter_value(column.parameter, entry);
+}
+
+// A cell without a value of a table: None, or pandas.NA.
+bool is_missing(py::handle entry) {
+  if (entry.is_none()) return true;
+  if (PyFloat_Check(entry.ptr()) || PyLong_Check(entry.ptr()) || PyUnicode_Check(entry.ptr()))
+    return false;  // quickly
+  return py::cast<std::string>(py::type::of(entry).attr("__name__")) == "NAType";
 }
 
 // A list of objects, so that each entry is read in the unit of its heading.
 py::object listed(const py::handle& values) {
   return py::hasattr(values, "tolist") ? py::object(values.attr("tolist")())
                                        : py::reinterpret_borrow<py::object>(values);
+}
+
+// A cell without a value makes a design without one; in a dictionary it is refused.
+Array column_values(const NamedColumn& column, const py::handle& value, bool table) {
+  const auto one = [&](py::handle entry) {
+    return table && is_missing(entry) ? kNoValue : number_in(column, entry);
+  };
+  if (is_single(value)) return to_array({one(value)});
+  const std::string name(info(column.parameter).name);
+  const Array values = to_numbers(
+      name, column.scale ? listed(value) : py::reinterpret_borrow<py::object>(value), one);
+  if (values.ndim() != 1)
+    throw InputError(name + ": expected one value or an array of one dimension, not " +
+                     std::to_string(values.ndim()));
+  return values;
+}
+
+// " (did you mean 'preload'?)" for a heading that is nearly the name of a parameter.
+std::string meant(const std::string& heading) {
+  std::vector<std::string_view> names;
+  for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+  const auto near = studies::nearest(studies::heading_forms(heading).front().name, names);
+  return near.empty() ? std::string{} : " (did you mean " + studies::quoted(near) + "?)";
+}
+
+void warn_of_unused(const std::vector<std::string>& headings) {
+  if (headings.empty()) return;
+  std::string text = "designs: columns that are no parameters and are not used: ";
+  for (const std::string& heading : headings)
+    text += (&heading == headings.data() ? "" : ", ") + studies::quoted(heading) + meant(heading);
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+void refuse_equal_headings(const py::object& table) {
+  std::set<std::string> headings;
+  for (const py::handle key : table.attr("keys")()) {
+    const std::string heading = py::cast<std::string>(py::str(key));
+    if (!headings.insert(heading).second)
+      throw InputError("designs: two columns have the heading " + studies::quoted(heading));
+  }
 }
 
 // The columns of a DataFrame or another mapping that are parameters. A dictionary has no others.
@@ -115,6 +163,7 @@ std::vector<ParameterColumn> parameter_columns(const py::object& mapping) {
         "designs: expected a mapping of parameters to values, such as a dictionary or a "
         "DataFrame, not " +
         py::cast<std::string>(py::type::of(mapping).attr("__name__")));
+  refuse_equal_headings(mapping);
   std::vector<ParameterColumn> columns;
   std::vector<std::string> unused;
   for (const py::handle key : mapping.attr("keys")()) {
@@ -124,15 +173,12 @@ std::vector<ParameterColumn> parameter_columns(const py::object& mapping) {
     const py::object value = mapping[key];
     // dict(frame) has columns of the frame, among which a letter may number the rows.
     const bool by_table = !dictionary || (name.size() == 1 && py::hasattr(value, "iloc"));
-    const auto named =
-        by_table ? named_column(name) : NamedColumn{studies::parse_parameter(name), {}};
+    const auto named = by_table ? named_column(name) : typed_column(name);
     if (!named)
       unused.push_back(name);
     else
-      columns.push_back({named->parameter,
-                         named->scale ? scaled_values(*named, listed(value))
-                                      : column_values(named->parameter, value),
-                         is_single(value)});
+      columns.push_back(
+          {named->parameter, column_values(*named, value, !dictionary), is_single(value)});
   }
   if (columns.empty() && !unused.empty())
     throw InputError(
@@ -350,9 +396,10 @@ void add_batch(py::module_& module) {
              "Metrics of many designs, on all processors unless `jobs` says otherwise.\n\n"
              "`designs` maps names of parameters to arrays in SI units, all of one length, or to "
              "single values,\n"
-             "which may have a unit; the rest is the motor's. A DataFrame may have headings with "
-             "units, such as\n"
-             "'amplitude [um]', and other columns, of which a warning tells. The answer maps each "
+             "which may have a unit; the rest is the motor's. Names may have a unit, such as "
+             "'amplitude [um]'. A\n"
+             "DataFrame may have other columns, of which a warning tells, and cells without a "
+             "value. The answer maps each "
              "metric to an "
              "array, and 'status'\n"
              "to 'ok' or why a design has no full answer: its metrics are NaN then. The numbers do "

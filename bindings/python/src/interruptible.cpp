@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interruptible.hpp"
 
+#include "conversions.hpp"
+
 #include <twum/base/error.hpp>
 
 #include <condition_variable>
@@ -59,8 +61,21 @@ Watch::Watch(py::object stop, py::object progress, std::uint64_t total)
     : stop_(std::move(stop)), progress_(std::move(progress)), total_(total) {
   if (!stop_.is_none() && !py::hasattr(stop_, "is_set"))
     throw py::type_error("stop: expected an object with is_set(), such as threading.Event()");
+  if (PyBool_Check(progress_.ptr())) {
+    shown_ = progress_.is(py::bool_(true));
+    progress_ = shown_ ? attribute_of_results("ProgressLine")() : py::none();
+  }
   if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
-    throw py::type_error("progress: expected a function of (done, total, best)");
+    throw py::type_error("progress: expected True, or a function of (done, total, best)");
+}
+
+Watch::~Watch() {
+  if (!shown_) return;
+  try {
+    progress_.attr("end")();
+  } catch (py::error_already_set& error) {  // nobody can read the line
+    error.discard_as_unraisable("twum: progress");
+  }
 }
 
 void Watch::heed(RunningCall& call) const {

@@ -35,12 +35,15 @@ class RunningCall {
 /// Registers the end of all calls with the interpreter.
 void add_end_of_calls();
 
-/// What the caller gave to watch and to stop a call: `progress`, called as progress(done, total, best), and `stop`, with
-/// a method is_set() such as that of threading.Event. Each may be None.
+/// What the caller gave to watch and to stop a call: `progress`, called as progress(done, total, best), or True for a line
+/// that shows it, and `stop`, with a method is_set() such as that of threading.Event. Each may be None.
 class Watch {
  public:
   /// @throws TypeError for a stop without is_set(), and for a progress that cannot be called
   Watch(py::object stop, py::object progress, std::uint64_t total = 0);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
 
   /// Counts finished parts of the work; on any thread.
   void count(std::uint64_t done) { done_ += done; }
@@ -57,13 +60,14 @@ class Watch {
 
  private:
   py::object stop_, progress_;
+  bool shown_{false};  // by a line of the module, which ends with this call
   std::uint64_t total_;
   std::atomic<std::uint64_t> done_{0};
   std::uint64_t told_{0};
 };
 
 /// Runs work(stop_token) on a new thread without the GIL. Meanwhile the calling thread checks for Ctrl-C and calls
-/// poll() now and then with the GIL. If either throws, the work is asked to stop and waited for; then the exception
+/// poll() now and then with the GIL, the last time behind the work. If either throws, the work is asked to stop and waited for; then the exception
 /// is thrown. SystemExit once the interpreter ends.
 template <typename Work, typename Poll>
 auto run_interruptible(RunningCall& call, Work work, Poll poll) {
@@ -82,6 +86,7 @@ auto run_interruptible(RunningCall& call, Work work, Poll poll) {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!RunningCall::closing()) poll();
     }
+    if (!RunningCall::closing()) poll();
   } catch (...) {
     call.stop().request_stop();
     wait();

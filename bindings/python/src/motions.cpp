@@ -4,8 +4,10 @@
 #include "entries/motion_columns.hpp"
 #include "interruptible.hpp"
 #include "motor_answers.hpp"
+#include "telling/renderers.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
 #include <twum/motion.hpp>
 
 #include <cmath>
@@ -125,9 +127,26 @@ py::dict event_of(const MotionEvent& event) {
   return one;
 }
 
+// The motion as the answer of a study, as a cell of a notebook shows it.
+std::string motion_as_html(const PyMotor& motor, const MotionTask& task, const Motion& found) {
+  studies::MotionResult::Member member;
+  member.value = kNoValue;
+  member.motion = found;
+  member.opening_amplitude = opening_amplitude(motor.motor.design());
+  if (!task.switched_off.empty()) member.off_at = task.switched_off.back().begin;
+  studies::MotionResult answer;
+  answer.engine = task.engine, answer.accuracy = task.accuracy, answer.duration = task.duration;
+  answer.members = {member};
+  studies::StudyResult result;
+  result.kind = studies::StudyKind::motion, result.motor = motor.name, result.answer = answer;
+  if (found.status == "stopped") result.outcome = studies::StudyOutcome::interrupted;
+  return studies::telling::summary_html(result, {});
+}
+
 py::object move(const py::object& self, const py::object& duration, const MoveArguments& given,
                 const py::object& stop, const py::object& progress) {
-  const MotorDesign design = py::cast<const PyMotor&>(self).motor.design();
+  const PyMotor& motor = py::cast<const PyMotor&>(self);
+  const MotorDesign design = motor.motor.design();
   MotionTask task = to_task(design, duration, given);
   RunningCall call;
   Watch watch(stop, progress, kParts);
@@ -155,7 +174,8 @@ py::object move(const py::object& self, const py::object& duration, const MoveAr
   for (const studies::MotionColumn& one : studies::motion_columns())
     columns[one.name] = column(one.of);
   return attribute_of_results("Motion")(self, columns, list_of(found.events, event_of),
-                                        found.status, found.end);
+                                        found.status, found.end,
+                                        motion_as_html(motor, task, found));
 }
 
 py::object plant_of(const py::object& self, const py::object& load_torque,

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace twum::python {
 namespace {
@@ -73,12 +74,15 @@ PyMotor from_text(const py::object& text) {
 
 std::string representation(const PyMotor& self) {
   const MotorDesign& design = self.motor.design();
-  std::string text = "<twum.Motor " + std::string(py::repr(py::str(self.name)));
+  std::string text = "<twum.Motor";
+  if (!self.name.empty()) text += " " + std::string(py::repr(py::str(self.name)));
+  const char* between = self.name.empty() ? " " : ", ";
   for (const Parameter parameter : {Parameter::contact_radius, Parameter::frequency,
-                                    Parameter::amplitude, Parameter::preload}) {
+                                    Parameter::amplitude, Parameter::voltage, Parameter::preload}) {
+    if (!is_given(design, parameter)) continue;  // amplitude or voltage
     const ParameterInfo& row = info(parameter);
-    text +=
-        ", " + std::string(row.name) + " " + studies::engineering(get(design, parameter), row.unit);
+    text += std::exchange(between, ", ") + std::string(row.name) + " " +
+            studies::engineering(get(design, parameter), row.unit);
   }
   return text + ">";
 }

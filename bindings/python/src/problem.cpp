@@ -213,6 +213,24 @@ py::object optimum(const PyProblem& self, const MotorDesign& motor,
       "scan"_a = py::dict(), "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
 }
 
+// "<twum.DesignProblem of 'ring-60': varies preload, maximizes peak_power, limit max_pressure <= 3 MPa>"
+std::string problem_text(const PyProblem& self) {
+  const DesignProblem& problem = self.problem;
+  std::vector<std::string> parts;
+  for (const studies::DesignVariable& one : problem.variables)
+    parts.push_back("varies " + std::string(info(one.parameter).name));
+  for (const studies::DerivedParameter& one : problem.derived)
+    parts.push_back("derives " + std::string(info(one.parameter).name));
+  for (const studies::DesignChoice& one : problem.choices) parts.push_back("chooses " + one.name);
+  for (const studies::DesignObjective& one : problem.objectives)
+    parts.push_back((one.maximize ? "maximizes " : "minimizes ") + one.metric.text);
+  for (const studies::MotorLimit& one : problem.limits) parts.push_back("limit " + one.text);
+  std::string text = "<twum.DesignProblem";
+  if (!self.name.empty()) text += " of " + studies::quoted(self.name);
+  for (const std::string& part : parts) text += (&part == parts.data() ? ": " : ", ") + part;
+  return text + ">";
+}
+
 // --- what is asked
 
 // Runs search(options), which a stop, Ctrl-C or an exception of `progress` ends.
@@ -367,6 +385,7 @@ void add_problem(py::module_& module) {
       },
       py::arg("text"),
       "limit(self, text)\n--\n\nAsks for something such as 'max_pressure <= 10 MPa'.");
+  problem.def("__repr__", &problem_text);
   add_asking(problem);
   add_pickling(problem, problem_state, problem_from);
 }

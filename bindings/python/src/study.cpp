@@ -102,8 +102,11 @@ py::tuple run(const studies::StudyFile& file, const RunArguments& how) {
       });
   const py::object table =
       result.rows == nullptr ? py::object(py::none()) : py::str(studies::results_csv(result));
-  return py::make_tuple(to_python(studies::summary_value(result)), studies::summary_text(result),
-                        table, studies::telling::summary_html(result, {&file, result.rows.get()}));
+  // The rows of a directory are read when the HTML is asked for; an interrupted run has not all of them.
+  const bool kept = !how.directory.empty() && result.outcome != studies::StudyOutcome::interrupted;
+  return py::make_tuple(
+      to_python(studies::summary_value(result)), studies::summary_text(result), table,
+      kept ? "" : studies::telling::summary_html(result, {&file, result.rows.get()}));
 }
 
 // The answer of a result directory as HTML.
@@ -122,12 +125,12 @@ py::tuple run_file(const std::string& path, const std::string& directory,
 // A study file with the entries of a dictionary, in which a Motor stands for its entries.
 std::string study_text(const py::dict& study, const py::object& motor) {
   if (!py::isinstance<PyMotor>(motor))
-    return yaml_text(to_node(study, studies::study_file_schema()), 0);
+    return yaml_text(to_node({}, study, studies::study_file_schema()), 0);
   const PyMotor& own = py::cast<const PyMotor&>(motor);
   py::dict rest = study.attr("copy")();
   for (const char* entry : {"twum", "motor"}) rest.attr("pop")(entry, py::none());
   return studies::motor_text({own.name, own.motor.design()}) +
-         yaml_text(to_node(rest, studies::study_file_schema()), 0);
+         yaml_text(to_node({}, rest, studies::study_file_schema()), 0);
 }
 
 studies::StudyFile read_entries(const py::dict& study, const py::object& motor,
@@ -136,9 +139,9 @@ studies::StudyFile read_entries(const py::dict& study, const py::object& motor,
   return studies::read_study(source, {}, settings);
 }
 
-void check_entries(const py::dict& study, const py::object& motor,
-                   const std::vector<std::string>& settings) {
-  studies::validate(read_entries(study, motor, settings));
+std::vector<std::string> check_entries(const py::dict& study, const py::object& motor,
+                                       const std::vector<std::string>& settings) {
+  return studies::study_notes(read_entries(study, motor, settings));
 }
 
 py::tuple run_entries(const py::dict& study, const py::object& motor, const std::string& directory,
@@ -163,8 +166,9 @@ void add_study(py::module_& module) {
              "dictionary, of a Motor if `motor` is one.");
   module.def(
       "check_entries", &check_entries, py::arg("study"), py::arg("motor"), py::arg("settings"),
-      "check_entries(study, motor, settings)\n--\n\nReads a study given as a dictionary without "
-      "running it; an error says everything that is wrong.");
+      "check_entries(study, motor, settings)\n--\n\nReads a study given as a dictionary, and the "
+      "files that it names, without running it; an error says everything that is wrong. Notes on "
+      "what was read.");
   module.def("run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("directory"),
              py::arg("settings"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
              py::arg("stop"),

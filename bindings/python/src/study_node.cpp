@@ -3,10 +3,12 @@
 
 #include "conversions.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/io/number.hpp>
 #include <twum/io/value_shape.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace twum::python {
 namespace {
@@ -56,54 +58,62 @@ const Schema& selected(const py::dict& value, const Schema& schema) {
   return anything();
 }
 
-YamlNode mapping_node(const py::dict& value, const Schema& schema) {
+YamlNode mapping_node(const std::string& path, const py::dict& value, const Schema& schema) {
   YamlNode node;
   node.kind = YamlNode::Kind::mapping;
   for (const auto& [key, entry] : value) {
-    const std::string name = to_text("study: name of an entry", key);
-    node.entries.push_back({name, {}, to_node(entry, entry_of(schema, name))});
+    const std::string name =
+        to_text(path.empty() ? "study: name of an entry" : path + ": name of an entry", key);
+    const std::string place = path.empty() ? name : path + "." + name;
+    node.entries.push_back({name, {}, to_node(place, entry, entry_of(schema, name))});
   }
   return node;
 }
 
-YamlNode list_node(py::handle value, const Schema& schema) {
+YamlNode list_node(const std::string& path, py::handle value, const Schema& schema) {
   YamlNode node;
   node.kind = YamlNode::Kind::list;
   const Schema& item = schema.kind == ValueKind::list ? schema.items.front() : anything();
-  for (const py::handle one : value) node.items.push_back(to_node(one, item));
+  for (const py::handle one : value)
+    node.items.push_back(to_node(path + "[" + std::to_string(node.items.size()) + "]", one, item));
   return node;
 }
 
-std::string number_text_of(py::handle value, double number) {
+std::string number_text_of(const std::string& name, py::handle value, double number) {
+  if (std::isnan(number)) throw InputError(name + ": nan is not a number");
   return PyLong_Check(value.ptr()) ? py::cast<std::string>(py::str(value))
                                    : io::number_text(number);
 }
 
-YamlNode scalar_of(py::handle value, const Schema& schema) {
-  if (PyUnicode_Check(value.ptr())) return io::scalar_node(to_text("study", value));
+YamlNode scalar_of(const std::string& name, py::handle value, const Schema& schema) {
+  if (PyUnicode_Check(value.ptr())) return io::scalar_node(to_text(name, value));
   if (PyBool_Check(value.ptr())) return io::scalar_node(py::cast<bool>(value) ? "true" : "false");
+  if (py::hasattr(value, "__fspath__"))
+    return io::scalar_node(to_text(name, value.attr("__fspath__")()));
   const auto number = number_of(value);
   if (!number)
-    throw py::type_error("study: expected numbers, texts, lists and dictionaries, not " +
-                         py::cast<std::string>(py::str(py::type::of(value))));
+    throw py::type_error(name +
+                         ": expected a number, a text, a path, a list or a dictionary, not " +
+                         py::cast<std::string>(py::type::of(value).attr("__name__")));
   const bool has_unit = schema.kind == ValueKind::quantity && schema.unit != "1";
-  return io::scalar_node(number_text_of(value, *number) + (has_unit ? " " + schema.unit : ""));
+  return io::scalar_node(number_text_of(name, value, *number) +
+                         (has_unit ? " " + schema.unit : ""));
 }
 
 }  // namespace
 
-YamlNode to_node(py::handle value, const Schema& schema) {
-  if (py::hasattr(value, "tolist")) return to_node(value.attr("tolist")(), schema);  // of NumPy
-  if (schema.kind == ValueKind::any_of) return to_node(value, alternative_for(value, schema));
+YamlNode to_node(const std::string& path, py::handle value, const Schema& schema) {
+  if (py::hasattr(value, "tolist")) return to_node(path, value.attr("tolist")(), schema);  // NumPy
+  if (schema.kind == ValueKind::any_of) return to_node(path, value, alternative_for(value, schema));
   if (value.is_none()) return {};
   if (py::isinstance<py::dict>(value)) {
     const auto mapping = py::reinterpret_borrow<py::dict>(value);
-    return mapping_node(mapping,
+    return mapping_node(path, mapping,
                         schema.kind == ValueKind::variant ? selected(mapping, schema) : schema);
   }
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
-    return list_node(value, schema);
-  return scalar_of(value, schema);
+    return list_node(path, value, schema);
+  return scalar_of(path, value, schema);
 }
 
 }  // namespace twum::python

@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 _NAMES = {row["symbol"]: row["name"] for row in _twum.parameter_table() if row["symbol"]}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Curve:
     """Torque-speed curve of a motor: arrays over the speeds, SI units, NaN where status is not 'ok'."""
 
-    motor: _twum.Motor = field(repr=False)
+    motor: _twum.Motor
     speed: Floats  # [rad/s]
     torque: Floats  # [N.m]
     output_power: Floats  # [W]
@@ -62,6 +62,9 @@ class Curve:
         arrays = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "motor"}
         return _frame({name: values for name, values in arrays.items() if values is not None})
 
+    def __repr__(self) -> str:
+        return f"<twum.Curve of {self.motor!r}: {len(self.speed)} speeds; to_frame() is a table, plot() a picture>"
+
     def plot(self, axes: Axes | None = None) -> Axes:
         """Torque and output power over speed, with matplotlib; returns its axes."""
         from . import plot
@@ -69,12 +72,12 @@ class Curve:
         return plot.curve(self, axes)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Fields:
     """The contact along one wave: arrays over the phase, SI units; zones as (state, from, to)."""
 
-    motor: _twum.Motor = field(repr=False)
-    point: _twum.OperatingPoint = field(repr=False)
+    motor: _twum.Motor
+    point: _twum.OperatingPoint
     phase: Floats  # [rad], crest at 0
     pressure: Floats  # [Pa]
     traction: Floats  # [Pa], positive in drive direction
@@ -85,6 +88,14 @@ class Fields:
     radial_traction: Floats  # outward [Pa]
     zones: list[tuple[str, float, float]]
 
+    def __repr__(self) -> str:
+        zones = ", ".join(state for state, _, _ in self.zones)
+        return f"<twum.Fields of {self.motor!r}, {self.point!r}: {len(self.phase)} phases, zones {zones}>"
+
+    def to_frame(self) -> Any:
+        """The arrays as a DataFrame of pandas, a row for each phase."""
+        return _frame({one.name: getattr(self, one.name) for one in fields(self)[2:-1]})
+
     def plot(self, axes: Sequence[Axes] | None = None) -> tuple[Axes, Axes]:
         """Pressure, traction and velocities over the phase, with matplotlib; returns its two axes."""
         from . import plot
@@ -93,18 +104,19 @@ class Fields:
         return both
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """A motion in time: arrays over the times, SI units, and what happened.
 
     motion['speed'] is one of the arrays in `columns`; they end where the motion ends, at `end`.
     """
 
-    motor: _twum.Motor = field(repr=False)
-    columns: dict[str, Floats] = field(repr=False)  # time, speed, angle, amplitude, torque and others
+    motor: _twum.Motor
+    columns: dict[str, Floats]  # time, speed, angle, amplitude, torque and others
     events: list[dict[str, Any]]  # event, time, speed, angle, amplitude, in the order of time
     status: str  # 'ok', or why it ended early
     end: float  # time that was reached [s]
+    html: str = ""  # what happened, for notebooks
 
     def __getitem__(self, name: str) -> Floats:
         return self.columns[name]
@@ -116,6 +128,13 @@ class Motion:
     def to_frame(self) -> Any:
         """The arrays as a DataFrame of pandas, a row for each time."""
         return _frame(self.columns)
+
+    def __repr__(self) -> str:
+        what = f"{len(self.columns['time'])} times to {self.end:g} s, {len(self.events)} events"
+        return f"<twum.Motion of {self.motor!r}: {what}, {self.status}>"
+
+    def _repr_html_(self) -> str:
+        return self.html
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,6 +175,10 @@ class Derivatives:
 
     def __getitem__(self, parameter: str) -> Floats:
         return self.gradient[_NAMES.get(parameter, parameter)]
+
+    def to_frame(self) -> Any:
+        """The value, its derivatives by name, smoothness and status as a DataFrame of pandas, a row for each design."""
+        return _frame({"value": self.value, **self.gradient, "smoothness": self.smoothness, "status": self.status})
 
 
 class Limit(TypedDict):
@@ -245,19 +268,19 @@ class Optimum:
     ranges: list[RangeEnd] = field(repr=False)
     scan: Scan = field(repr=False)
     solver: str
-    evaluations: int
+    evaluations: int  # of this search; 0 for a point of a front, which has none of its own
     failures: dict[str, int]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StudyResult:
-    """Result of a study: the content of summary.json, and the evaluations as arrays, SI units."""
+    """Result of a study: the content of summary.json, and the evaluations as arrays, SI units. print() says it in words."""
 
     summary: dict[str, Any]
-    rows: dict[str, NDArray[Any]] = field(repr=False)  # arrays by column name; 'status' holds texts
-    text: str = field(repr=False, default="")  # the summary in words
+    rows: dict[str, NDArray[Any]]  # arrays by column name; 'status' holds texts
+    text: str = ""  # the summary in words
     directory: "str | None" = None  # where the result is kept, if it is
-    html: str = field(repr=False, default="")  # the same as `text` for notebooks
+    html: str = ""  # the same as `text` for notebooks
 
     @property
     def outcome(self) -> str:
@@ -265,6 +288,13 @@ class StudyResult:
 
     def __getitem__(self, name: str) -> Any:
         return self.summary[name]
+
+    def __repr__(self) -> str:
+        place = f" in {self.directory}" if self.directory else ""
+        return f"<twum.StudyResult of {self['kind']}{place}: {self.outcome}, {self['evaluations']} evaluations>"
+
+    def __str__(self) -> str:
+        return self.text or repr(self)
 
     def to_frame(self) -> Any:
         """The evaluations as a DataFrame of pandas, columns in SI units."""
@@ -333,8 +363,14 @@ def _entries(study: Mapping[str, Any], motor: Any) -> dict[str, Any]:
     """A study given as a dictionary, as the entries of a study file."""
     content = dict(study) if "study" in study else {"study": dict(study)}
     content.setdefault("twum", 1)
-    if motor is not None and not isinstance(motor, _twum.Motor):
+    if motor is not None and "motor" in content:
+        raise _twum.InputError("motor: the study names one; leave out one of the two")
+    if isinstance(motor, Mapping):
+        content["motor"] = dict(motor)
+    elif isinstance(motor, (str, os.PathLike)):
         content["motor"] = os.path.abspath(motor)
+    elif motor is not None and not isinstance(motor, _twum.Motor):
+        raise TypeError(f"motor: expected a Motor, a path or the entries of a motor file, not {type(motor).__name__}")
     return content
 
 
@@ -354,14 +390,14 @@ def run(
     Numbers in a dictionary are in SI units, texts carry their unit; its paths are relative to the current folder.
     With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew. Without one it is
     kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
-    known) and the best so far; True shows them in the notebook or on the terminal. Ctrl-C ends the run; `stop`, such as a threading.Event, ends it with the outcome
-    'interrupted' and the rows so far. FileError says everything that is wrong.
+    known) and the best so far; True shows them in the notebook or on the terminal. Ctrl-C ends the run; `stop`, such as
+    a threading.Event, ends it with the outcome 'interrupted' and the rows so far. FileError says everything that is wrong.
     """
     folder = "" if directory is None else os.fspath(directory)
-    shown = ProgressLine() if progress is True else progress or None
-    how = (folder, _settings(set or {}), jobs, fresh, shown, stop)
+    how = (folder, _settings(set or {}), jobs, fresh, progress, stop)
     if isinstance(study, Study):
-        study, motor = study.entries, study.motor if motor is None else motor
+        motor = study.motor if motor is None else motor
+        study = study.entries
     if isinstance(study, Mapping):
         summary, text, table, html = _twum.run_entries(_entries(study, motor), motor, *how)
     elif motor is not None:
@@ -377,19 +413,27 @@ class ProgressLine:
 
     def __init__(self) -> None:
         self._display: Any = None
+        self._typed = False
 
     def __call__(self, done: int, total: int, best: str) -> None:
         words = f"{done} of {total} evaluations" if total else f"{done} evaluations"
         self._show(f"{words}, best {best}" if best else words)
 
+    def end(self) -> None:
+        """Leaves the line, so that what is printed next begins below."""
+        if self._typed:
+            print(file=sys.stderr, flush=True)
+
     def _show(self, words: str) -> None:
         shell = sys.modules.get("IPython")
+        plain = {"text/plain": words}
         if shell is None or shell.get_ipython() is None:
+            self._typed = True
             print(f"\r{words:<78}", end="", file=sys.stderr, flush=True)
         elif self._display is None:
-            self._display = shell.display.display(words, display_id=True)
+            self._display = shell.display.display(plain, raw=True, display_id=True)
         else:
-            self._display.update(words)
+            self._display.update(plain, raw=True)
 
 
 class Study:
@@ -399,10 +443,13 @@ class Study:
         study.check()
         study.run("results/sweep").to_frame()
 
-    Numbers are in SI units, texts carry their unit. `motor` is a Motor or the path of a motor file.
+    Numbers are in SI units, texts carry their unit. `motor` is a Motor, the path of a motor file or a dictionary of its
+    entries. run() also runs the file of a study.
     """
 
     def __init__(self, entries: Mapping[str, Any], motor: Any = None) -> None:
+        if not isinstance(entries, Mapping):
+            raise TypeError(f"study: expected a dictionary, not {type(entries).__name__}; twum.run() runs a study file")
         self.entries: dict[str, Any] = dict(entries)
         self.motor: Any = motor
 
@@ -414,9 +461,12 @@ class Study:
         """The text of a study file with these entries."""
         return str(_twum.study_text(_entries(self.entries, self.motor), self.motor))
 
-    def check(self, *, set: Mapping[str, Any] | None = None) -> None:
-        """Reads the study without running it; FileError says everything that is wrong."""
-        _twum.check_entries(_entries(self.entries, self.motor), self.motor, _settings(set or {}))
+    def check(self, *, set: Mapping[str, Any] | None = None) -> list[str]:
+        """Reads the study and the files that it names without running it, and returns notes on them.
+
+        FileError says everything that is wrong.
+        """
+        return _twum.check_entries(_entries(self.entries, self.motor), self.motor, _settings(set or {}))
 
     def run(self, directory: str | os.PathLike[str] | None = None, **how: Any) -> StudyResult:
         """Runs it as run() does, with the same arguments."""

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "entries/choice_shape.hpp"
 
+#include "entries/named_shape.hpp"
+
+#include <utility>
 #include <variant>
 
 namespace twum::studies::shapes {
@@ -28,39 +31,18 @@ Shape<ParameterSet> set_of_file() {
 }  // namespace
 
 Shape<std::vector<DesignChoice>> choices() {
-  const auto sets = list("files; each design uses one of them", set_of_file());
-  Shape<std::vector<DesignChoice>> shape;
-  shape.schema.kind = ValueKind::named;
-  shape.schema.text = "parameter sets; each design uses one of them; every combination is solved";
-  shape.schema.example = "lining: [peek.yaml, ptfe-peek.yaml]";
-  shape.schema.sample = shape.schema.example;
-  shape.schema.items.push_back(sets.schema);
-  shape.read = [schema = kept(shape.schema), sets](std::vector<DesignChoice>& into,
-                                                   const YamlNode& node, const Spot& spot,
-                                                   Diagnostics& diagnostics) {
-    into.clear();
-    if (node.kind != YamlNode::Kind::mapping || node.entries.empty()) {
-      say_wrong_kind(node, *schema, spot, diagnostics);
-      return false;
-    }
-    bool good = true;
-    for (const YamlEntry& entry : node.entries) {
-      DesignChoice choice{entry.key, {}};
-      good =
-          sets.read(choice.sets, entry.value, spot.entry(entry.key, entry.key_mark), diagnostics) &&
-          good;
-      into.push_back(std::move(choice));
-    }
-    return good;
-  };
-  shape.write = [sets](const std::vector<DesignChoice>& choices) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::mapping;
-    for (const DesignChoice& choice : choices)
-      node.entries.push_back({choice.name, {}, sets.write(choice.sets)});
-    return node;
-  };
-  return shape;
+  using Sets = std::vector<ParameterSet>;
+  const Shape<DesignChoice> choice = shape_as<DesignChoice, Sets>(
+      list("files; each design uses one of them", set_of_file()),
+      [](Sets sets) {
+        return DesignChoice{{}, std::move(sets)};
+      },
+      [](const DesignChoice& one) { return one.sets; });
+  Schema schema;
+  schema.text = "parameter sets; each design uses one of them; every combination is solved";
+  schema.example = "lining: [peek.yaml, ptfe-peek.yaml]";
+  schema.sample = schema.example;
+  return named_items(std::move(schema), choice, &DesignChoice::name);
 }
 
 std::vector<SetFile> set_files(YamlNode& study) {

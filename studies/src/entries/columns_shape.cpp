@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "entries/columns_shape.hpp"
 
+#include "entries/named_shape.hpp"
 #include "tables/measured_columns.hpp"
 
 #include <twum/io/number.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
+
+#include <utility>
 
 namespace twum::studies::shapes {
 namespace {
@@ -89,40 +92,11 @@ bool check_quantity(const YamlEntry& entry, const Spot& spot, Diagnostics& diagn
 }  // namespace
 
 Shape<std::vector<ColumnChoice>> columns() {
-  const Shape<ColumnChoice> item = column();
-  Shape<std::vector<ColumnChoice>> shape;
-  shape.schema.kind = ValueKind::named;
-  shape.schema.text = "columns of the tables, for quantities that the headings do not name";
-  shape.schema.example = "speed: \"n [rpm]\"";
-  shape.schema.sample = "speed: \"n [rpm]\"\ntorque: {column: 3, unit: mN.m, sign: reversed}";
-  shape.schema.items.push_back(item.schema);
-  shape.read = [schema = kept(shape.schema), item](std::vector<ColumnChoice>& into,
-                                                   const YamlNode& node, const Spot& spot,
-                                                   Diagnostics& diagnostics) {
-    into.clear();
-    if (node.kind != YamlNode::Kind::mapping || node.entries.empty()) {
-      say_wrong_kind(node, *schema, spot, diagnostics);
-      return false;
-    }
-    bool good = true;
-    for (const YamlEntry& entry : node.entries) {
-      ColumnChoice choice;
-      good = check_quantity(entry, spot, diagnostics) && good;
-      good = item.read(choice, entry.value, spot.entry(entry.key, entry.key_mark), diagnostics) &&
-             good;
-      choice.quantity = entry.key;
-      into.push_back(std::move(choice));
-    }
-    return good;
-  };
-  shape.write = [item](const std::vector<ColumnChoice>& choices) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::mapping;
-    for (const ColumnChoice& choice : choices)
-      node.entries.push_back({choice.quantity, {}, item.write(choice)});
-    return node;
-  };
-  return shape;
+  Schema schema;
+  schema.text = "columns of the tables, for quantities that the headings do not name";
+  schema.example = "speed: \"n [rpm]\"";
+  schema.sample = "speed: \"n [rpm]\"\ntorque: {column: 3, unit: mN.m, sign: reversed}";
+  return named_items(std::move(schema), column(), &ColumnChoice::quantity, check_quantity);
 }
 
 }  // namespace twum::studies::shapes

@@ -81,6 +81,19 @@ void add_unit_hints(const CalibrateResult& result, Notes& notes) {
                     "braking one was: check the unit of speed in the data file.");
 }
 
+// A motor takes power from its terminals, so that conductance and resistance are positive.
+void add_reversed_parts(const CalibrateResult& result, Notes& notes) {
+  for (const std::string part : {"conductance", "resistance"}) {
+    const auto of_part = [&](const auto& point) { return point.quantity == part; };
+    const auto reversed = [&](const auto& point) { return of_part(point) && point.value < 0; };
+    if (2 * std::ranges::count_if(result.data, reversed) >
+        std::ranges::count_if(result.data, of_part))
+      notes.push_back("The signs of " + part +
+                      " look reversed: most are negative, but a motor takes power from its "
+                      "terminals. Give the column 'sign: reversed' under 'columns'.");
+  }
+}
+
 // "torque at 105 rpm", "no_load_speed"
 std::string reading_of(const CalibrateResult::Point& point) {
   return point.torque() ? "torque" + place_words(point) : place_words(point).substr(4);
@@ -342,6 +355,7 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
     notes.emplace_back(
         "Every parameter is at an end of its range, so nothing was fitted. Check the units in the "
         "heading of the data file, then the ranges.");
+  add_reversed_parts(result, notes);
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
   add_serial(result, notes);

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/goal_parts.hpp"
+#include "telling/html_parts.hpp"
 #include "telling/renderers.hpp"
+
+#include <algorithm>
+#include <cctype>
 
 namespace twum::studies::telling {
 namespace {
-
-std::string harmless(const std::string& text) {
-  std::string safe;
-  for (const char letter : text) {
-    if (letter == '<')
-      safe += "&lt;";
-    else if (letter == '>')
-      safe += "&gt;";
-    else if (letter == '&')
-      safe += "&amp;";
-    else
-      safe += letter;
-  }
-  return safe;
-}
 
 std::string element(const std::string& name, const std::string& content) {
   return "<" + name + ">" + content + "</" + name + ">\n";
@@ -36,13 +25,49 @@ std::string bullets(const std::vector<Phrase>& phrases) {
   return text.empty() ? text : element("ul", "\n" + text);
 }
 
-std::string row_of(const std::string& cell, const std::vector<Phrase>& row) {
+bool has_number(const Phrase& cell) {
+  return std::ranges::any_of(cell, [](const Part& part) {
+    const bool counts = part.kind == Part::Kind::words && !part.text.empty() &&
+                        std::isdigit(static_cast<unsigned char>(part.text.front())) != 0;
+    return counts || part.kind == Part::Kind::value || part.kind == Part::Kind::share;
+  });
+}
+
+// Words are aligned to the left, numbers to the right.
+bool is_of_words(const Table& table, std::size_t column) {
+  return column < table.keys || std::ranges::none_of(table.rows, [column](const auto& row) {
+           return column < row.size() && has_number(row[column]);
+         });
+}
+
+std::string row_of(const std::string& cell, const std::vector<Phrase>& row, const Table& table) {
   std::string text;
-  for (const Phrase& one : row) text += "<" + cell + ">" + html(one) + "</" + cell + ">";
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string side = is_of_words(table, i) ? "left" : "right";
+    text += "<" + cell + " style=\"text-align: " + side + "\">" + html(row[i]) + "</" + cell + ">";
+  }
   return element("tr", text);
 }
 
+// Panels of a matrix are too many and too small.
+bool has_charts(const Section& section) { return !section.charts.empty() && section.columns == 0; }
+
 }  // namespace
+
+std::string harmless(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    if (letter == '<')
+      safe += "&lt;";
+    else if (letter == '>')
+      safe += "&gt;";
+    else if (letter == '&')
+      safe += "&amp;";
+    else
+      safe += letter;
+  }
+  return safe;
+}
 
 std::string html(const Phrase& phrase) {
   std::string text;
@@ -54,9 +79,11 @@ std::string html(const Phrase& phrase) {
 }
 
 std::string html(const Table& table) {
-  std::string text = row_of("th", table.heads);
-  for (const std::vector<Phrase>& row : table.rows) text += row_of("td", row);
-  return element("table", "\n" + text);
+  std::string text = row_of("th", table.heads, table);
+  for (const std::vector<Phrase>& row : table.rows) text += row_of("td", row, table);
+  // A wide table scrolls by itself and does not widen what is around it, whose sentences would be cut off.
+  return "<div style=\"overflow-x: auto; width: 0; min-width: 100%\">\n" +
+         element("table", "\n" + text) + "</div>\n";
 }
 
 std::string html(const Headline& headline) {
@@ -67,9 +94,11 @@ std::string html(const Headline& headline) {
 std::string html(const std::vector<Section>& sections) {
   std::string text;
   for (const Section& section : sections) {
-    if (is_picture(section)) continue;
+    if (is_picture(section) && !has_charts(section)) continue;
     text += element("h4", html(capitalized(section.heading)));
     if (!section.note.empty()) text += element("p", html(capitalized(section.note)));
+    for (std::size_t i = 0; has_charts(section) && i < section.charts.size(); ++i)
+      text += html(section.charts[i]);
     text += paragraphs(section.sentences) + bullets(section.remarks);
     for (const Table& table : section.tables) text += html(table);
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace twum::studies::telling {
 namespace {
@@ -44,7 +46,8 @@ Part change_part(const NamedValue& answer, const Move& move, std::size_t j) {
   const double by = change_of(move, j);
   if (answer.value == 0 && by != 0) return change(value_part(by, answer.unit, 3));
   const double share = answer.value == 0 ? 0 : std::round(1e4 * by / answer.value) / 1e4;
-  return std::isfinite(by) && share != 0 ? change(share_part(share, 6)) : share_part(share, 6);
+  return std::isfinite(by) && share != 0 ? change(share_part(share, 6))
+                                         : share_part(share + 0.0, 6);  // no -0 %
 }
 
 bool moves_any(const NamedValue& answer, const std::vector<const Move*>& order, std::size_t j) {
@@ -80,28 +83,29 @@ std::vector<Phrase> unchanged(const std::vector<NamedValue>& answer,
   return {phrase};
 }
 
-// The parameter of the answer that the first row changes most once more, in words.
-Phrase example(const std::vector<NamedValue>& answer, const Move& move, const std::string& goal) {
+// The parameter of the answer that a row changes most once more, in words; nothing if its digits do not show the change.
+std::optional<Phrase> example(const std::vector<NamedValue>& answer, const Move& move,
+                              const std::string& goal) {
   std::size_t at = 0;
   for (std::size_t j = 1; j < answer.size(); ++j)
     if (answer[j].name != goal && part_of(answer[j], move, j) > part_of(answer[at], move, at))
       at = j;
-  const auto value = [](double number, const std::string& unit) {
-    return value_part(number, unit);
-  };
-  return {"If ",
-          name_part(move.held.name),
-          " were ",
-          value((1 + kMore) * move.held.value, move.held.unit),
-          " instead of ",
-          value(move.held.value, move.held.unit),
-          ", ",
-          name_part(answer[at].name),
-          " would be ",
-          value(answer[at].value + change_of(move, at), answer[at].unit),
-          " instead of ",
-          value(answer[at].value, answer[at].unit),
-          "."};
+  const Part now = value_part(answer[at].value, answer[at].unit);
+  const Part then = value_part(answer[at].value + change_of(move, at), answer[at].unit);
+  if (written(now, Writing::typed) == written(then, Writing::typed)) return {};
+  return Phrase{"If ",
+                name_part(move.held.name),
+                " were ",
+                value_part((1 + kMore) * move.held.value, move.held.unit),
+                " instead of ",
+                value_part(move.held.value, move.held.unit),
+                ", ",
+                name_part(answer[at].name),
+                " would be ",
+                then,
+                " instead of ",
+                now,
+                "."};
 }
 
 }  // namespace
@@ -122,7 +126,11 @@ std::vector<Section> moves_sections(
       "In each row one parameter is 1 % larger, the others are unchanged, and the answer is found "
       "again."};
   section.sentences = unchanged(answer, order);
-  section.sentences.push_back(example(answer, *order.front(), goal));
+  for (const Move* move : order)
+    if (auto told = example(answer, *move, goal)) {
+      section.sentences.push_back(*std::move(told));
+      break;
+    }
   for (const auto& [radius, other] : touching)
     section.sentences.push_back({name_part(radius), " has no row, because it equals ",
                                  name_part(other),

@@ -28,7 +28,7 @@ std::string markdown(const Headline& headline);
 std::string markdown(const std::vector<Section>& sections);
 /// @}
 
-/// The same as HTML without styles, as a cell of a notebook shows it.
+/// The same as HTML without colours and fonts, as a cell of a notebook shows it.
 /// @{
 std::string html(const Phrase& phrase);
 std::string html(const Table& table);

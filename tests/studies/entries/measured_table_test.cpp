@@ -103,6 +103,49 @@ TEST_CASE("analysers' headings are read by the first whole pair", "[studies][cal
   CHECK(read_as("z", "frequency [Hz],conductance [S],B\n1,2,3\n").unused == Names{"B"});
 }
 
+TEST_CASE("what is missing in the headings is said in the words of the table",
+          "[studies][calibrate][error]") {
+  const auto complaint = [](const std::string& text) {
+    try {
+      read_as("t.csv", text);
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  CHECK_THAT(complaint("85,0.765\n95,0.76\n"), Contains("numbers where the headings should be"));
+  CHECK_THAT(complaint("speed [rpm]   torque [N.m]\n85   0.765\n"),
+             Contains("separate columns by commas, semicolons or tabs"));
+  CHECK_THAT(complaint("Frequency [Hz],Cp [F],D\n1,2,3\n"),
+             Contains("R and X, or G and B") && Contains("columns: {impedance: 'Cp [F]'}"));
+}
+
+TEST_CASE("columns that the study does not use may have equal headings", "[studies][calibrate]") {
+  CHECK(read_as("t.csv", "speed,torque,remark,remark\n1,2,a,b\n").unused ==
+        std::vector<std::string>{"remark", "remark"});
+  CHECK_THROWS_WITH(read_as("t.csv", "speed,torque,torque\n1,2,2\n"),
+                    Contains("the column is given twice"));
+}
+
+TEST_CASE("a file called .s1p is a Touchstone file or wrong", "[studies][calibrate][error]") {
+  // Without a word the options are GHz S MA R 50; nothing is reflected of the load itself.
+  const MeasuredPoints defaults = read_as("z.s1p", "#\n1e-6 0 0\n");
+  CHECK(defaults.points[0].value == Approx(0.02).epsilon(1e-15));
+  CHECK(defaults.points[0].set.at(0).second == Approx(1000).epsilon(1e-15));
+  CHECK(names_of(read_as("t.csv", "#\nspeed,torque\n1,2\n")) ==
+        std::vector<std::string>{"torque_at"});
+  const auto refused = [](const std::string& name, const std::string& text,
+                          const std::string& words) {
+    CHECK_THROWS_WITH(read_as(name, text), Contains(words));
+  };
+  refused("z.s1p", "40000 0 0\n", "z.s1p:1:1: no line of options above the numbers");
+  refused("Z.S1P", "! made\n# Hz T RI R 50\n1 0 0\n",
+          "Z.S1P:2:1: options that a Touchstone file of one port does not have");
+  refused("z.s1p", "# Hz S RI R 50\n1 0,5 0\n", "'0,5' has a decimal comma; write '0.5'");
+  refused("z.s1p", "# Hz S RI R 50\n1 NaN 0\n", "'NaN' is not a number");
+  refused("z.s2p", "# Hz S RI R 50\n1 0 0 0 0 0 0 0 0\n", "9 words in a line");
+}
+
 TEST_CASE("names of measured quantities have any case", "[studies][calibrate]") {
   const MeasuredPoints table =
       read_as("t.csv", "Speed (rpm),TORQUE [N.m],Torque_SD [N.m],Preload / N\n60,1,0.1,150\n");

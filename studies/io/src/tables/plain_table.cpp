@@ -5,7 +5,9 @@
 #include "tables/text_kind.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/io/dimension.hpp>
 #include <twum/io/number.hpp>
+#include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
 
 #include <algorithm>
@@ -65,6 +67,17 @@ char likely_separator(std::string_view line) {
                                 : kSeparators[2];
 }
 
+bool are_equal_units(std::string_view one, std::string_view other) {
+  if (one == other) return true;
+  try {
+    const Measure a = parse_measure("1 " + std::string(one));
+    const Measure b = parse_measure("1 " + std::string(other));
+    return a.value == b.value && a.dimension == b.dimension;
+  } catch (const ValueError&) {  // such as degC
+    return false;
+  }
+}
+
 std::string separator_name(char separator) {
   return separator == ',' ? "commas" : separator == ';' ? "semicolons" : "tabs";
 }
@@ -80,13 +93,19 @@ class Rewriter {
  public:
   Rewriter(const std::string& name, std::string_view text, const KnownHeading& known,
            std::vector<std::string>& kinds)
-      : name_(name), lines_(lines_of(text)), known_(known), kinds_(kinds) {}
+      : name_(name),
+        lines_(lines_of(text)),
+        ends_in_line_(!text.ends_with('\n')),
+        known_(known),
+        kinds_(kinds) {}
 
   /// The plain table; nothing if it is one already.
   std::optional<std::string> rewritten() {
     header_ = find_header();
     if (header_.line >= lines_.size()) return {};
     read_headings();
+    refuse_repeated_headings();
+    refuse_cut_end();
     take_units();
     leave_out_end();
     decimal_commas_ = has_decimal_commas();
@@ -144,6 +163,31 @@ class Rewriter {
       kinds_.push_back("headings on line " + std::to_string(header_.line + 1));
   }
 
+  [[noreturn]] void refuse(std::size_t line, const std::string& words) const {
+    throw InputError(name_ + ":" + std::to_string(line + 1) + ": " + words);
+  }
+
+  // As of tables that were joined.
+  void refuse_repeated_headings() const {
+    if (header_.known == 0) return;
+    for (std::size_t i = header_.line + 1; i < lines_.size(); ++i)
+      if (lines_[i] == lines_[header_.line])
+        refuse(i, "the headings of line " + std::to_string(header_.line + 1) +
+                      " again; leave this line out");
+  }
+
+  // A file that was copied in part may end within a number.
+  void refuse_cut_end() const {
+    Cells cells;
+    if (!ends_in_line_ || is_remark(lines_.back()) ||
+        !split_record(lines_.back(), cells, header_.separator))
+      return;
+    const std::string last = cell_text(cells.back());
+    if (last.ends_with('.') && parse_number(last))
+      refuse(lines_.size() - 1, "the file ends within a number: " + quoted(last) +
+                                    "; copy all of it, or leave this line out");
+  }
+
   // A row of units below the headings.
   void take_units() {
     std::size_t at = header_.line + 1;
@@ -161,9 +205,21 @@ class Rewriter {
     if (!all || !known) return;
     units_ = at;
     for (std::size_t i = 0; i < std::min(units.size(), headings_.size()); ++i)
-      if (!units[i].empty() && !heading_forms(headings_[i]).front().has_unit)
-        headings_[i] += " [" + units[i] + "]";
+      if (!units[i].empty()) take_unit(i, units[i]);
     kinds_.push_back("a row of units on line " + std::to_string(at + 1));
+  }
+
+  // A heading may have the same unit already.
+  void take_unit(std::size_t column, const std::string& unit) {
+    std::string& heading = headings_[column];
+    for (const Heading& form : heading_forms(heading)) {
+      if (!form.has_unit) continue;
+      if (used_[column] && !are_equal_units(form.unit, unit))
+        refuse(units_, "the row of units has " + quoted(unit) + " for the heading " +
+                           quoted(heading) + "; leave one of the two units out");
+      return;
+    }
+    heading += " [" + unit + "]";
   }
 
   // A word below the rows, such as END.
@@ -233,9 +289,9 @@ class Rewriter {
   void refuse_other_separator(std::size_t number) const {
     const std::string_view line = lines_[number];
     if (line.find_first_of(",;\t") == std::string_view::npos) return;
-    throw InputError(name_ + ":" + std::to_string(number + 1) + ": columns separated by " +
-                     separator_name(likely_separator(line)) + ", but the headings by " +
-                     separator_name(header_.separator) + "; use one of them throughout");
+    refuse(number, "columns separated by " + separator_name(likely_separator(line)) +
+                       ", but the headings by " + separator_name(header_.separator) +
+                       "; use one of them throughout");
   }
 
   std::string text() const {
@@ -256,6 +312,7 @@ class Rewriter {
 
   const std::string& name_;
   std::vector<std::string_view> lines_;
+  bool ends_in_line_;  // the last line has no end
   const KnownHeading& known_;
   std::vector<std::string>& kinds_;
   Header header_;
@@ -309,7 +366,8 @@ PlainStream plain_stream(const std::string& name, CsvReader::Bytes bytes,
   std::string head;
   bool more = append_bytes(head, kStreamHead, bytes);
   // A line that is cut off would look malformed.
-  const std::size_t end = more ? head.rfind('\n') : std::string::npos;
+  const std::size_t last = head.rfind('\n');
+  const std::size_t end = more && last != std::string::npos ? last + 1 : head.size();
   const PlainTable first = plain_table(name, head.substr(0, end), known);
   if (more && first.kind.empty()) return {followed(std::move(head), std::move(bytes)), {}};
   if (more) more = append_bytes(head, kLargestTable, bytes);

@@ -117,7 +117,31 @@ CommaReadings comma_readings(std::string_view number) {
   return readings;
 }
 
-CommaComplaint comma_complaint(std::string_view number, std::string_view unit) {
+namespace {
+
+// "-1.5" of a number with the minus sign of books; empty for any other text.
+std::string with_plain_minus(std::string_view number) {
+  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212
+  if (!number.starts_with(kMinus)) return {};
+  std::string plain = "-" + std::string(number.substr(kMinus.size()));
+  return parse_number(plain) ? plain : std::string();
+}
+
+// "1200.5" of "1 200.5" and "1'200.5"; empty for any other text.
+std::string without_marks(std::string_view number) {
+  for (const std::string_view mark : {" ", "'", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x99"}) {
+    std::string grouped(number);
+    for (std::size_t at; (at = grouped.find(mark)) != std::string::npos;)
+      grouped.replace(at, mark.size(), ",");
+    std::string whole = without(grouped, ',');
+    if (grouped != number && groups_thousands(grouped) && parse_number(whole)) return whole;
+  }
+  return {};
+}
+
+}  // namespace
+
+NumberComplaint number_complaint(std::string_view number, std::string_view unit) {
   const auto [decimal, thousands] = comma_readings(number);
   const auto shown = [&](std::string_view text) {
     return quoted(std::string(text) + std::string(unit));
@@ -129,6 +153,10 @@ CommaComplaint comma_complaint(std::string_view number, std::string_view unit) {
   if (!thousands.empty())
     return {shown(number) + " has commas between thousands", "write " + shown(thousands)};
   if (!decimal.empty()) return {shown(number) + " has a decimal comma", "write " + shown(decimal)};
+  if (const std::string plain = with_plain_minus(number); !plain.empty())
+    return {shown(number) + " has the minus sign of books", "write " + shown(plain)};
+  if (const std::string whole = without_marks(number); !whole.empty())
+    return {shown(number) + " has marks between thousands", "write " + shown(whole)};
   return {};
 }
 

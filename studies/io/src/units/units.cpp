@@ -154,7 +154,7 @@ void refuse_comma(std::string_view text) {
   const std::size_t comma = text.find(',');
   const std::size_t end = std::min(text.find_first_not_of("+-0123456789.,"), text.size());
   if (comma >= end) return;  // no part of a number
-  const CommaComplaint complaint = comma_complaint(text.substr(0, end), text.substr(end));
+  const NumberComplaint complaint = number_complaint(text.substr(0, end), text.substr(end));
   if (!complaint.found.empty()) throw ValueError(complaint.found, complaint.expected, comma);
 }
 

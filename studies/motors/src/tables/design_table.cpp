@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string not_a_number(std::string_view cell) {
   if (cell.empty()) return "empty cell";
-  const CommaComplaint comma = comma_complaint(cell);
+  const NumberComplaint comma = number_complaint(cell);
   return comma.found.empty() ? quoted(cell) + " is not a number"
                              : comma.found + "; " + comma.expected;
 }

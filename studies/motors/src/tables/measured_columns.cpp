@@ -3,6 +3,7 @@
 
 #include "tables/parameter_heading.hpp"
 
+#include <twum/io/number.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/io/words.hpp>
 
@@ -188,7 +189,8 @@ class ColumnReader {
       for (std::size_t j = 0; j < i; ++j) {
         const MeasuredColumn& a = columns_[i];
         const MeasuredColumn& b = columns_[j];
-        if (a.name.empty() || a.name != b.name) continue;
+        const bool unused = a.role == ColumnRole::unused && b.role == ColumnRole::unused;
+        if (a.name.empty() || a.name != b.name || unused) continue;
         diagnostics_.add({a.mark, a.name, "the column is given twice", "leave one of them out",
                           b.mark, "first given here"});
       }
@@ -243,7 +245,21 @@ class ColumnReader {
   void check_measured(SourceMark begin) {
     const auto is_measured = [](const auto& c) { return c.role == ColumnRole::measured; };
     if (std::ranges::any_of(columns_, is_measured)) return;
-    if (has_speed_)
+    const bool numbers = std::ranges::any_of(
+        headings_, [](const auto& one) { return parse_number(one.text).has_value(); });
+    if (numbers && diagnostics_.count() > 0) return;  // said already
+    if (numbers)
+      diagnostics_.add(begin, "", "numbers where the headings should be",
+                       "add a line with a heading for each column above the numbers");
+    else if (headings_.size() == 1 && is_of_words(headings_.front().text))
+      diagnostics_.add(begin, "", "one column, " + quoted(headings_.front().text),
+                       "separate columns by commas, semicolons or tabs");
+    else if (has_frequency())
+      diagnostics_.add(begin, "", "no column with measured values",
+                       missing("impedance",
+                               "beside a frequency expected |Z| and phase, R and X, or G and B, "
+                               "such as 'impedance [ohm]' and 'impedance_phase [deg]'"));
+    else if (has_speed_)
       diagnostics_.add(begin, "", "no column 'torque'",
                        missing("torque", "expected one such as 'torque [N.m]'"));
     else if (has("torque"))
@@ -256,9 +272,24 @@ class ColumnReader {
                                "or 'no_load_speed [rpm]'"));
   }
 
+  // Several words: more than a name with a unit.
+  static bool is_of_words(std::string_view heading) {
+    return std::ranges::count(trimmed(heading_forms(heading).front().name), ' ') > 0;
+  }
+
+  static bool is_frequency(std::string_view heading) {
+    return in_small_letters(trimmed(heading)).starts_with("freq");
+  }
+
+  bool has_frequency() const {
+    return std::ranges::any_of(headings_, [](const auto& one) { return is_frequency(one.text); });
+  }
+
   // What to do about a column that is not there; one with another heading may be it.
   std::string missing(const std::string& quantity, const std::string& expected) const {
-    const auto other = std::ranges::find(columns_, ColumnRole::unused, &MeasuredColumn::role);
+    const auto other = std::ranges::find_if(columns_, [](const MeasuredColumn& column) {
+      return column.role == ColumnRole::unused && !is_frequency(column.name);
+    });
     if (other == columns_.end()) return expected;
     return expected + "; if another heading stands for it, say so in the study: columns: {" +
            quantity + ": " + quoted(other->name) + "}";

@@ -210,7 +210,7 @@ class PointReader {
   }
 
   void refuse_cell(const MeasuredColumn& column, const std::string& text, SourceMark mark) {
-    if (const CommaComplaint comma = comma_complaint(text); !comma.found.empty()) {
+    if (const NumberComplaint comma = number_complaint(text); !comma.found.empty()) {
       diagnostics_.add(mark, column.name, comma.found, comma.expected);
       return;
     }

@@ -30,12 +30,17 @@ struct Options {
 // A line of version 2 such as "[Reference] 50".
 bool is_keyword(std::string_view line) { return trimmed(line).starts_with('['); }
 
+std::string in_capitals(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return word;
+}
+
 std::vector<std::string> words_of(std::string_view line) {
   std::vector<std::string> words;
   std::string word;
   for (const char c : std::string(line.substr(0, line.find('!'))) + " ") {
     if (c != ' ' && c != '\t' && c != '\r') {
-      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      word += c;
     } else if (!word.empty()) {
       words.push_back(std::exchange(word, {}));
     }
@@ -43,16 +48,22 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-// The options of a line, if it is one of options.
+bool is_touchstone_name(std::string_view name) {
+  const std::string ending(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
+  return ending.size() == 4 && ending[0] == '.' && (ending[1] == 's' || ending[1] == 'S') &&
+         std::isdigit(static_cast<unsigned char>(ending[2])) != 0 &&
+         (ending[3] == 'p' || ending[3] == 'P');
+}
+
+// The options of a line, if it is one of options. Without a word it is one of the defaults.
 std::optional<Options> options_of(std::string_view line) {
   static constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
       {{"HZ", 1}, {"KHZ", 1e3}, {"MHZ", 1e6}, {"GHZ", 1e9}}};
   if (!trimmed(line).starts_with('#')) return {};
   const std::vector<std::string> words = words_of(trimmed(line).substr(1));
-  if (words.empty()) return {};  // a remark
   Options options;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const std::string& word = words[k];
+    const std::string word = in_capitals(words[k]);
     const auto unit = std::ranges::find(kUnits, word, &std::pair<std::string_view, double>::first);
     if (unit != kUnits.end()) {
       options.hertz = unit->second;
@@ -94,15 +105,29 @@ class TouchstoneReader {
       second_version_ = second_version_ || is_keyword(line);
       if (is_keyword(line)) continue;
       auto options = options_of(line);
-      if (!options) return {};
-      options->second_version = second_version_;
-      return table(*options, number);
+      const bool remark = trimmed(line) == "#";  // of a plain table
+      if (options && (named_ || !remark)) {
+        options->second_version = second_version_;
+        return table(*options, number);
+      }
+      if (named_) refuse_options(line, number);
+      return {};
     }
     return {};
   }
 
  private:
   static constexpr int kMostRemarks = 200;  // lines above the options
+
+  void refuse_options(std::string_view line, int number) {
+    const bool given = trimmed(line).starts_with('#');
+    diagnostics_.add({number, 1}, "",
+                     given ? "options that a Touchstone file of one port does not have"
+                           : "no line of options above the numbers of a Touchstone file",
+                     "expected one such as '# kHz S RI R 50': unit of the frequency, S, Y or Z, "
+                     "RI, MA or DB, reference");
+    diagnostics_.throw_if_any();
+  }
 
   MeasuredTable table(Options options, int header) {
     std::string text(static_cast<std::size_t>(header - 1), '\n');
@@ -111,7 +136,7 @@ class TouchstoneReader {
     for (int number = header + 1; number <= lines; ++number) {
       const std::vector<std::string> words = words_of(source_.line(number));
       const bool keyword = is_keyword(source_.line(number));
-      if (keyword && words.front() == "[REFERENCE]" && words.size() > 1)
+      if (keyword && in_capitals(words.front()) == "[REFERENCE]" && words.size() > 1)
         options.resistance = parse_number(words[1]).value_or(options.resistance);
       if (!words.empty() && !keyword) add_row(options, words, number, text);
       text += '\n';
@@ -123,9 +148,20 @@ class TouchstoneReader {
   void add_row(const Options& options, const std::vector<std::string>& words, int line,
                std::string& text) {
     std::vector<double> values;
-    for (const std::string& word : words)
-      if (const auto value = parse_number(word)) values.push_back(*value);
-    if (values.size() != words.size() || values.size() != 3) {
+    for (const std::string& word : words) {
+      if (const auto value = parse_number(word)) {
+        values.push_back(*value);
+        continue;
+      }
+      const NumberComplaint complaint = number_complaint(word);
+      diagnostics_.add(
+          {line, 1}, "",
+          complaint.found.empty() ? quoted(word) + " is not a number" : complaint.found,
+          complaint.found.empty() ? "expected a number, or leave out the line"
+                                  : complaint.expected);
+      return;
+    }
+    if (values.size() != 3) {
       diagnostics_.add({line, 1}, "",
                        counted(words.size(), "word") + " in a line of a Touchstone file",
                        "expected a frequency and two numbers of one port");
@@ -150,6 +186,7 @@ class TouchstoneReader {
   }
 
   const Source& source_;
+  const bool named_{is_touchstone_name(source_.name())};  // by its ending
   Diagnostics diagnostics_;
   bool second_version_{false};
 };

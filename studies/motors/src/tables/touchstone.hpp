@@ -8,7 +8,7 @@
 namespace twum::motors {
 
 /// A Touchstone file of one port (.s1p; version 1 or 2) as a table of frequency, conductance and susceptance of that port. Nothing for
-/// another file: one without a line of options such as "# kHz S RI R 50".
+/// another file: one of another ending without a line of options such as "# kHz S RI R 50".
 /// @throws FileError with everything that is wrong in it
 std::optional<MeasuredTable> touchstone_table(const Source& source);
 

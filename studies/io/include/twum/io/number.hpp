@@ -27,13 +27,14 @@ struct CommaReadings {
 /// "1,200" has both meanings.
 CommaReadings comma_readings(std::string_view number);
 
-/// What is wrong with a number because of its commas, and what to write instead; both empty if that is not what is wrong.
-struct CommaComplaint {
+/// What is wrong with a number because of its commas, its minus sign or marks between thousands, and what to write instead;
+/// both empty if that is not what is wrong.
+struct NumberComplaint {
   std::string found;     ///< "'0,3 mm' has a decimal comma"
   std::string expected;  ///< "write '0.3 mm'"
 };
 /// @param unit  what follows the number
-CommaComplaint comma_complaint(std::string_view number, std::string_view unit = {});
+NumberComplaint number_complaint(std::string_view number, std::string_view unit = {});
 
 /// Appends the shortest text that reads back as the same double; nothing for NaN. Independent of the locale.
 void append_number(std::string& out, double value);
