@@ -304,22 +304,26 @@ void HeatSolver::Way::go_on(const HeatSolver& solver, double until) {
 std::vector<HeatState> HeatSolver::followed(const HeatState& start, double duration,
                                             double tolerance) const {
   std::vector<HeatState> way = marched_to(start, duration, tolerance, fastest_ / 2);
-  if (is_confirmed(way)) return way;
-  HeatSolver searching = *this;
-  searching.problem_.followed = {};
-  return searching.marched_to(start, duration, tolerance, fastest_ / 2);
-}
-
-// Of the last state that carries the load. Its wave is that a little before its temperatures; another wave is far from it.
-bool HeatSolver::is_confirmed(const std::vector<HeatState>& way) const {
-  constexpr double kSame = 1e-2;
   const auto last = std::find_if(way.rbegin(), way.rend(), [](const HeatState& state) {
     return state.status == MetricStatus::ok;
   });
-  if (!problem_.followed || last == way.rend() || !last->wave) return true;
-  const WarmLosses found = problem_.losses(last->x);
-  return found.wave && std::fabs(found.wave->amplitude / last->wave->amplitude - 1) <= kSame &&
-         std::fabs(found.wave->speed / last->wave->speed - 1) <= kSame;
+  if (last == way.rend() || is_confirmed(*last)) return way;
+  return searching().marched_to(start, duration, tolerance, fastest_ / 2);
+}
+
+HeatSolver HeatSolver::searching() const {
+  HeatSolver other = *this;
+  other.problem_.followed = {};
+  return other;
+}
+
+// The wave of a state is that a little before its temperatures; another wave is far from it.
+bool HeatSolver::is_confirmed(const HeatState& state) const {
+  constexpr double kSame = 1e-2;
+  if (!problem_.followed || !state.wave) return true;
+  const WarmLosses found = problem_.losses(state.x);
+  return found.wave && std::fabs(found.wave->amplitude / state.wave->amplitude - 1) <= kSame &&
+         std::fabs(found.wave->speed / state.wave->speed - 1) <= kSame;
 }
 
 HeatState HeatSolver::advanced(const HeatState& start, double duration, double tolerance) const {

@@ -83,7 +83,11 @@ class HeatSolver {
   /// constant, or of the time since the beginning: modes that still move then have passed one extreme at most. The wave is followed
   /// from step to step; a new search at the end has to confirm it.
   std::vector<HeatState> followed(const HeatState& state, double duration, double tolerance) const;
-  /// The way of followed() without an end. No step depends on how far it will be followed.
+  /// Whether a search finds the wave of a state, which was followed there; true where nothing is followed.
+  bool is_confirmed(const HeatState& state) const;
+  /// The same solver, which follows no waves.
+  HeatSolver searching() const;
+  /// The way of followed() without an end, and without the search that confirms it. No step depends on how far it will be followed.
   class Way {
    public:
     Way(const HeatSolver& solver, const HeatState& start, double tolerance);
@@ -141,7 +145,6 @@ class HeatSolver {
   /// Newton's method; its status says why it found nothing.
   /// @param known  a state from which waves are followed; null: each is searched anew
   HeatState newton(NodeTemperatures x, const HeatState* known) const;
-  bool is_confirmed(const std::vector<HeatState>& way) const;
   bool leads_there(const HeatState& cold, const SteadyState& found) const;
   SteadyState judged(HeatState state) const;
   SteadyState marched() const;

@@ -59,6 +59,12 @@ HeatCourse::HeatCourse(const MotorDesign& design, std::span<const LoadPhase> pha
   for (const LoadPhase& phase : phases) phases_.push_back(course_phase(design, network, phase));
 }
 
+HeatCourse HeatCourse::searching() const {
+  HeatCourse other = *this;
+  for (CoursePhase& phase : other.phases_) phase.solver = phase.solver.searching();
+  return other;
+}
+
 HeatCourse::Lap HeatCourse::run(const Vector3& start) const {
   Lap lap;
   Vector3 theta = start;

@@ -58,6 +58,8 @@ class HeatCourse {
   PartValues<double> mean(const Lap& lap) const;
 
   const std::vector<CoursePhase>& phases() const { return phases_; }
+  /// The same course, in which no wave is followed.
+  HeatCourse searching() const;
 
  private:
   Vector3 first_guess() const;

@@ -148,13 +148,15 @@ class HeatMetrics {
   /// A load from ambient temperature on, for as long as was asked. No state depends on what else is asked.
   struct WarmUp {
     LoadPoint load;
+    bool searches;  // the wave at every step, in place of following it
     HeatCourse course;
     HeatSolver::Way way;
     HeatCourse::Lap lap{};  // its states
     std::unique_ptr<CourseSensitivity> sensitivity{};
   };
-  WarmUp& warm_up(const LoadPoint& load);
-  HeatCourse::Moment moment_of(WarmUp& warm, double time);
+  WarmUp& known_warm_up(const LoadPoint& load, bool searches);
+  /// That reaches this time with the wave that the motor has.
+  WarmUp& warm_up(const LoadPoint& load, double time);
   double after(const MetricRequest& request);
   MetricDerivative of_after(const MetricRequest& request, const MetricValue& value, bool fixed);
   double voltage_to_spare(double temperature) const;

@@ -16,7 +16,8 @@ namespace {
 using M = Metric;
 using P = Parameter;
 
-constexpr double kLongestWarmUp = 300;  // slow time constants; a passage past a fold takes some twenty
+constexpr double kLongestWarmUp =
+    300;  // slow time constants; a passage past a fold takes some twenty
 
 double period_of(const std::vector<LoadPhase>& phases) {
   return std::accumulate(phases.begin(), phases.end(), 0.0,
@@ -75,34 +76,44 @@ MetricDerivative HeatMetrics::of_peak(std::size_t part, const MetricValue& value
   return derivative(value, moved[part], 1);
 }
 
-HeatMetrics::WarmUp& HeatMetrics::warm_up(const LoadPoint& load) {
+HeatMetrics::WarmUp& HeatMetrics::known_warm_up(const LoadPoint& load, bool searches) {
   for (WarmUp& one : warm_ups_)
-    if (one.load == load) return one;
+    if (one.load == load && one.searches == searches) return one;
   HeatCourse course(design_, std::vector{LoadPhase{load, 1}});
+  if (searches) course = course.searching();
   const HeatSolver& solver = course.phases().front().solver;
   const HeatState cold = solver.cold();
   if (cold.status != MetricStatus::ok) throw SearchFailure{cold.status};
   HeatSolver::Way way(solver, cold, kCourseError);
-  return warm_ups_.emplace_back(WarmUp{load, std::move(course), std::move(way)});
+  return warm_ups_.emplace_back(WarmUp{load, searches, std::move(course), std::move(way)});
 }
 
-HeatCourse::Moment HeatMetrics::moment_of(WarmUp& warm, double time) {
-  warm.way.go_on(warm.course.phases().front().solver, time);
-  warm.lap = {warm.way.states()};
-  return warm.course.at(warm.lap, time);
+HeatMetrics::WarmUp& HeatMetrics::warm_up(const LoadPoint& load, double time) {
+  const auto followed = [&](bool searches) -> WarmUp& {
+    WarmUp& warm = known_warm_up(load, searches);
+    warm.way.go_on(warm.course.phases().front().solver, time);
+    warm.lap = {warm.way.states()};
+    return warm;
+  };
+  WarmUp& quick = followed(false);
+  const std::vector<HeatState>& states = quick.way.states();
+  const auto later = std::upper_bound(states.begin() + 1, states.end(), time,
+                                      [](double t, const HeatState& s) { return t < s.time; });
+  return quick.course.phases().front().solver.is_confirmed(*(later - 1)) ? quick : followed(true);
 }
 
 double HeatMetrics::after(const MetricRequest& request) {
-  WarmUp& warm = warm_up(load_of(request));
-  return warm.course.temperature(moment_of(warm, *request.after), *part_of(request.metric));
+  const WarmUp& warm = warm_up(load_of(request), *request.after);
+  return warm.course.temperature(warm.course.at(warm.lap, *request.after),
+                                 *part_of(request.metric));
 }
 
 MetricDerivative HeatMetrics::of_after(const MetricRequest& request, const MetricValue& value,
                                        bool fixed) {
-  WarmUp& warm = warm_up(load_of(request));
-  const HeatCourse::Moment moment = moment_of(warm, *request.after);
+  WarmUp& warm = warm_up(load_of(request), *request.after);
   if (!warm.sensitivity || warm.sensitivity->is_with_fixed_static_friction() != fixed)
     warm.sensitivity = std::make_unique<CourseSensitivity>(design_, warm.course, warm.lap, fixed);
+  const HeatCourse::Moment moment = warm.course.at(warm.lap, *request.after);
   return derivative(value, warm.sensitivity->from_cold(moment)[*part_of(request.metric)], 1);
 }
 
