@@ -105,9 +105,10 @@ double WearCourse::last_carried(double depth) {
 
 // t and N of (V2.3).
 void WearCourse::spend(Life& life) {
-  const std::vector<double> spent =
+  const DepthIntegral spent =
       integral_over_depth([&](double depth) { return per_depth(rates_.at(depth)); }, 0, life.depth);
-  life.seconds = spent[0], life.revolutions = spent[1];
+  life.seconds = spent.sums[0], life.revolutions = spent.sums[1];
+  smooth_ = spent.smooth;
 }
 
 Life WearCourse::found() {
@@ -131,6 +132,12 @@ const Life& WearCourse::life() {
   life_ = found();
   if (life_->status == MetricStatus::ok && !rates_.confirms(life_->depth)) life_ = found();
   return *life_;
+}
+
+const WearRate& WearCourse::rate_with_slopes(double depth, bool fixed) {
+  const std::pair place{depth, fixed};
+  if (const auto known = slopes_.find(place); known != slopes_.end()) return known->second;
+  return slopes_.emplace(place, rates_.with_slopes(depth, fixed)).first->second;
 }
 
 WearPoint WearCourse::point_after(const WearPoint& before, double depth) {

@@ -5,7 +5,9 @@
 
 #include <twum/core/life.hpp>
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace twum::core {
@@ -20,6 +22,13 @@ class WearCourse {
   WearRates& rates() { return rates_; }
   /// Found once.
   const Life& life();
+  /// The rate with its slopes at a depth, found once: time and revolutions have the same.
+  const WearRate& rate_with_slopes(double depth, bool fixed_static_friction);
+  /// The rate of its wear has no kink that counts.
+  bool is_smooth() {
+    life();
+    return smooth_;
+  }
   /// The motor at the end of its life.
   const Motor& worn_motor() { return rates_.motors().at(life().depth); }
   std::vector<WearPoint> points(const std::vector<double>& depths);
@@ -38,6 +47,8 @@ class WearCourse {
   std::optional<LoadPoint> load_;
   WearRates rates_;
   std::optional<Life> life_;
+  bool smooth_{false};
+  std::map<std::pair<double, bool>, WearRate> slopes_;
 };
 
 }  // namespace twum::core

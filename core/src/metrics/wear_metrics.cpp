@@ -113,8 +113,8 @@ MetricDerivative WearMetrics::of_life(const MetricRequest& request, const Metric
   WearCourse& course = lived(load_of_life(request));
   if (course.life().depth == 0) return {value, {}, Smoothness::flat};
   const bool turns = counts_turns(request.metric);
-  const auto per_depth = [&](double depth) {
-    const WearRate at = course.rates().with_slopes(depth, fixed);
+  const auto per_depth = [&](double at_depth) {
+    const WearRate& at = course.rate_with_slopes(at_depth, fixed);
     std::vector<double> slopes{1 / at.depth};
     for (std::size_t q = 0; q < kParameterCount; ++q) {
       const double by_rate = -at.depth_slope[q] / (at.depth * at.depth);
@@ -122,8 +122,11 @@ MetricDerivative WearMetrics::of_life(const MetricRequest& request, const Metric
     }
     return slopes;
   };
-  const std::vector<double> along = integral_over_depth(per_depth, 0, course.life().depth);
-  const WearRate last = course.rates().at(course.life().depth);
+  const double depth = course.life().depth;
+  const std::vector<double> along = course.is_smooth()
+                                        ? ten_points_over_depth(per_depth, 0, depth)
+                                        : integral_over_depth(per_depth, 0, depth).sums;
+  const WearRate last = course.rates().at(depth);
   const double at_end = (turns ? last.turns : 1) / last.depth;
   MetricDerivative result{value, end_slope(course, fixed), Smoothness::smooth};
   for (std::size_t q = 0; q < kParameterCount; ++q)

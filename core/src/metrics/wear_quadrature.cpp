@@ -30,7 +30,7 @@ void for_nodes(const Nodes& nodes, double from, double to, Use use) {
   }
 }
 
-std::vector<double> halved(const NumbersAt& numbers, double from, double to, int halvings) {
+DepthIntegral halved(const NumbersAt& numbers, double from, double to, int halvings) {
   const double half = 0.5 * (to - from);
   std::vector<double> sum;
   double by_gauss = 0;
@@ -40,24 +40,38 @@ std::vector<double> halved(const NumbersAt& numbers, double from, double to, int
     add_to(sum, half * Kronrod::weights()[i], found);
     if (i % 2 == 1) by_gauss += half * Gauss::weights()[i / 2] * found[0];
   });
-  if (halvings == 0 || !(std::fabs(by_gauss - sum[0]) > kEnough * std::fabs(sum[0]))) return sum;
-  std::vector<double> both = halved(numbers, from, from + half, halvings - 1);
-  add_to(both, 1, halved(numbers, from + half, to, halvings - 1));
-  return both;
+  if (halvings == 0 || !(std::fabs(by_gauss - sum[0]) > kEnough * std::fabs(sum[0])))
+    return {sum, true};
+  DepthIntegral both = halved(numbers, from, from + half, halvings - 1);
+  add_to(both.sums, 1, halved(numbers, from + half, to, halvings - 1).sums);
+  return {both.sums, false};
 }
 
 }  // namespace
 
-std::vector<double> integral_over_depth(const NumbersAt& numbers, double from, double to) {
+DepthIntegral integral_over_depth(const NumbersAt& numbers, double from, double to) {
   return halved(numbers, from, to, kHalvings);
 }
 
-std::vector<double> three_points_over_depth(const NumbersAt& numbers, double from, double to) {
+namespace {
+
+template <typename Rule>
+std::vector<double> sum_by(const NumbersAt& numbers, double from, double to) {
   std::vector<double> sum;
-  for_nodes(Gauss3::abscissa(), from, to, [&](std::size_t i, double depth) {
-    add_to(sum, 0.5 * (to - from) * Gauss3::weights()[i], numbers(depth));
+  for_nodes(Rule::abscissa(), from, to, [&](std::size_t i, double depth) {
+    add_to(sum, 0.5 * (to - from) * Rule::weights()[i], numbers(depth));
   });
   return sum;
+}
+
+}  // namespace
+
+std::vector<double> ten_points_over_depth(const NumbersAt& numbers, double from, double to) {
+  return sum_by<Gauss>(numbers, from, to);
+}
+
+std::vector<double> three_points_over_depth(const NumbersAt& numbers, double from, double to) {
+  return sum_by<Gauss3>(numbers, from, to);
 }
 
 }  // namespace twum::core
