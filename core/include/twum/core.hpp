@@ -41,4 +41,5 @@
 #include <twum/core/parameters.hpp>
 #include <twum/core/plate.hpp>
 #include <twum/core/steady_heat.hpp>
+#include <twum/core/worn_in.hpp>
 #include <twum/core/zone.hpp>

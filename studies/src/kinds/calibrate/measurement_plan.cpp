@@ -221,17 +221,17 @@ class Planner {
   // On a warm-up under a load that was measured: at any time up to the longest.
   std::vector<Reading> times(const MeasuredPoint& like) const {
     std::vector<Reading> list;
-    std::map<std::pair<Argument, double>, double> longest;  // of each load
+    std::map<std::pair<int, double>, double> longest;  // of each load, by its kind and number
     for (const MeasuredPoint& point : fit_.points())
       if (const auto* request = std::get_if<MetricRequest>(&point.reading);
           request != nullptr && request->after && same_motor(point, like)) {
-        double& time = longest[{request->argument, request->at}];
+        double& time = longest[{static_cast<int>(request->argument), request->at}];
         time = std::max(time, *request->after);
       }
     for (const auto& [load, time] : longest)
       for (int i = 1; i <= kGrid; ++i) {
         MetricRequest one = std::get<MetricRequest>(like.reading);
-        one.argument = load.first, one.at = load.second;
+        one.argument = static_cast<Argument>(load.first), one.at = load.second;
         one.after = time * i / kGrid;
         list.emplace_back(one);
       }
