@@ -159,6 +159,22 @@ TEST_CASE("a column of parts that the search changes is refused", "[studies][rob
                     Catch::Contains("measured parts without a statistic"));
 }
 
+TEST_CASE("parts alone have the yield of their table", "[studies][robust]") {
+  const ScratchFolder folder;
+  largest_with_parts(folder,
+                     "constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']");  // writes it
+  const std::string path = folder.path("spread.yaml");
+  std::ofstream(path)
+      << "twum: 1\nmotor: " << motor_path("ring-60")
+      << "\nset: {static_friction: 0.2, preload: 180 N}\nstudy: {kind: uncertainty, "
+         "samples: 4000, parts: parts.csv, limits: [holding_torque <= 1 N.m]}\n";
+  const Search s(read_study_file(path));
+  const auto& answer = std::get<UncertaintyResult>(s.answer.answer);
+  // mu r F <= 1 N.m for mu <= 0.2096: six of the ten linings, within four standard errors of 0.0077.
+  CHECK(answer.yield->value == Approx(0.6).margin(4 * 0.0078));
+  CHECK(answer.limits[0].kept.value == answer.yield->value);
+}
+
 TEST_CASE("a front keeps its yield over measured parts", "[studies][robust]") {
   const ScratchFolder folder;
   largest_with_parts(

@@ -38,7 +38,9 @@ bool teeth_conduct(const MotorDesign& design) {
   if (!design.thermal || !is_open(design, design.thermal->conductances.stator_contact))
     return false;
   const stator::StatorGeometry& g = *design.stator.geometry;
-  return g.teeth && g.substrate.conductivity;
+  const double r = design.stator.contact_radius, b = design.stator.contact_width;
+  return g.teeth && g.substrate.conductivity && g.teeth->inner_radius <= r - b / 2 &&
+         g.teeth->outer_radius >= r + b / 2;  // under the whole track
 }
 
 bool stator_stores(const MotorDesign& design) {

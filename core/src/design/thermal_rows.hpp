@@ -64,9 +64,6 @@ bool is_there(const MotorDesign& design) {
   return !std::isnan(number_at<&MotorDesign::thermal, path...>(design));
 }
 
-/// True if the lining's own conductivity counts.
-inline bool lining_conducts(const MotorDesign& d) { return d.thermal && d.layer.conductivity; }
-
 /// A number of the stator's materials for heat; null without a geometry.
 template <auto block, auto member, typename Design>
 auto* of_material(Design& design) {
@@ -133,7 +130,7 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
     {{P::stator_heat_capacity, "stator_heat_capacity", "", "J/K", "thermal.stator.heat_capacity",
       1e-9, 1e9, false, false, kNoAlternative, "25 J/K", "heat capacity of metal and ceramic",
       "from a silicon disc of 10 um to 2000 t of steel",
-      "that of the geometry and its materials; the model with three masses needs it", false},
+      "the geometry's; the model with three masses needs it", false},
      of_heat<&Thermal::stator, &ThermalBody::heat_capacity>()
          .read_by(stator_heat_capacity)
          .used_if(is_there<&Thermal::stator, &ThermalBody::heat_capacity>)},
@@ -168,7 +165,7 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
       "thermal.conductances.stator_contact", 1e-12, 1e9, false, false, kNoAlternative, "15 W/K",
       "thermal conductance from the stator through its teeth to the contact",
       "1 pW/K transmits practically no heat; at 1 GW/K both sides have one temperature",
-      "that of the teeth of the geometry; the model with three masses needs it", false},
+      "the geometry's; the model with three masses needs it", false},
      of_heat<&Thermal::conductances, &ThermalConductances::stator_contact>()
          .read_by(stator_contact_conductance)
          .used_if(is_there<&Thermal::conductances, &ThermalConductances::stator_contact>)},
@@ -184,7 +181,7 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
       "thermal.conductances.stator_housing", 0, 1e9, false, false, kNoAlternative, "0.8 W/K",
       "thermal conductance from the stator through the web to the housing",
       "0 is no path; at 1 GW/K both sides have one temperature",
-      "that of the clamped web of the geometry; the model with three masses needs it", false},
+      "the geometry's; the model with three masses needs it", false},
      of_heat<&Thermal::conductances, &ThermalConductances::stator_housing>()
          .read_by(stator_housing_conductance)
          .used_if(is_there<&Thermal::conductances, &ThermalConductances::stator_housing>)},

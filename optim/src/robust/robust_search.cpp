@@ -199,7 +199,7 @@ bool RobustSearch::better(const Result& a, const Result& b) const {
 SolvedRound RobustSearch::first_round(const std::vector<RobustObjective>& goals,
                                       const std::vector<double>& risks) {
   const auto round = std::make_shared<const RobustRound>(
-      problem_, goals, risks, Correction::none(terms_), options_.solve.seed);
+      problem_, goals, risks, first_correction(goals, risks), options_.solve.seed);
   const std::uint64_t number = next_round_++;
   const auto list = starts();
   const std::uint64_t first = next_stage_;
@@ -361,6 +361,40 @@ double RobustSearch::clearance(const ImportanceSample& sample, std::size_t term)
   return problem_.measured.empty() ? 0.0 : kClear * weighted_spread(sample, term);
 }
 
+// U4.4a: the index at which the normal law has this margin is known from the design to others; what Newton's method leaves is
+// added to the margin.
+void RobustSearch::correct_law(const SolvedRound& solved, std::size_t term, double margin,
+                               InversePoint at, Correction& next) const {
+  constexpr int kSteps = 6;
+  constexpr double kFarthest = 8.0;  // where the normal law ends
+  const double beta = solved.round->betas(solved.result.design)[term];
+  double index = beta + solved.round->correction().offsets[term];
+  for (int i = 0; i < kSteps && at.by_beta != 0.0; ++i) {
+    const double asked =
+        std::clamp(index + (margin - at.at.value) / at.by_beta, -kFarthest, kFarthest);
+    InversePoint found =
+        inverse_form(problem_, terms_.terms[term].margin, design(solved), asked, at.direction);
+    if (!found.at.failure.empty()) break;
+    index = asked;
+    at = std::move(found);
+  }
+  next.offsets[term] = index - beta;
+  next.delta[term] = margin - at.at.value;
+}
+
+// The normal law of measured rows may be far from them, so the first round has a correction from the first start.
+Correction RobustSearch::first_correction(const std::vector<RobustObjective>& goals,
+                                          const std::vector<double>& risks) {
+  const auto plain = std::make_shared<const RobustRound>(
+      problem_, goals, risks, Correction::none(terms_), options_.solve.seed);
+  if (problem_.measured.empty()) return plain->correction();
+  SolvedRound begin{plain, {}};
+  begin.result.design = plain->start(starts().front());
+  for (const InversePoint& point : plain->points(begin.result.design))
+    if (!point.at.failure.empty()) return plain->correction();
+  return correction(begin, plan(kCoarse, 0));
+}
+
 // U4.4
 Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan& plan) {
   const RobustRound& round = *solved.round;
@@ -373,8 +407,11 @@ Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan&
     if (!centres.holds(j)) continue;
     next.directions[j] = centres.points()[j].direction;
     const double quantile = weighted_quantile(sample, j, beta[j]);
-    if (std::isfinite(quantile))
-      next.delta[j] = quantile - clearance(sample, j) - centres.points()[j].at.value;
+    if (!std::isfinite(quantile)) continue;
+    if (problem_.measured.empty())
+      next.delta[j] = quantile - centres.points()[j].at.value;
+    else
+      correct_law(solved, j, quantile - clearance(sample, j), centres.points()[j], next);
   }
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s) {
     const auto& members = terms_.of_target[s];

@@ -93,6 +93,10 @@ class RobustSearch {
  private:
   std::vector<std::vector<double>> starts() const;
   double clearance(const ImportanceSample& sample, std::size_t term) const;
+  void correct_law(const SolvedRound& solved, std::size_t term, double margin, InversePoint at,
+                   Correction& next) const;
+  Correction first_correction(const std::vector<RobustObjective>& goals,
+                              const std::vector<double>& risks);
   Centres centres(const SolvedRound& solved) const;
   Result search(const Problem& problem, std::uint64_t number, std::span<const double> y,
                 const std::string& solver, std::uint64_t stage);

@@ -103,7 +103,8 @@ Correction Correction::none(const RobustTerms& terms) {
           std::vector<double>(terms.of_target.size(), 0.0),
           std::vector<std::vector<Overlap>>(terms.of_target.size()),
           std::vector<std::vector<double>>(terms.terms.size()),
-          std::vector<double>(terms.statistics, 0.0)};
+          std::vector<double>(terms.statistics, 0.0),
+          std::vector<double>(terms.terms.size(), 0.0)};
 }
 
 RobustRound::RobustRound(const RobustProblem& problem, std::vector<RobustObjective> goals,
@@ -173,8 +174,9 @@ std::vector<InversePoint> RobustRound::points(std::span<const double> y) const {
   std::vector<InversePoint> list;
   const auto x = y.first(variables());
   for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
-    list.push_back(inverse_form(problem_, terms_.terms[j].margin, x, terms_.beta(y, variables(), j),
-                                correction_.directions[j]));
+    const double beta = terms_.beta(y, variables(), j) + correction_.offsets[j];
+    list.push_back(
+        inverse_form(problem_, terms_.terms[j].margin, x, beta, correction_.directions[j]));
     if (!list.back().at.failure.empty()) break;
   }
   return list;

@@ -37,6 +37,8 @@ struct Correction {
   /// start directions of U3.2, one for each term; may be empty
   std::vector<std::vector<double>> directions;
   std::vector<double> shifts;  ///< of each statistic where it is limited, U5.8
+  /// of each term, added to its index: where the normal law of measured rows has the margin that the rows have, U4.4a
+  std::vector<double> offsets;
 
   static Correction none(const RobustTerms& terms);
 };

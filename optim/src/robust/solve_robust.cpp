@@ -88,7 +88,10 @@ class RobustSolve {
   // found first, because a search for a yield that cannot be reached costs more than all others together.
   std::vector<YieldPrice> prices_of_yields(const SolvedRound& solved) {
     std::vector<YieldPrice> list;
-    if (problem_.yields.empty() || is_goal(0) || !options_.price_yields) return list;
+    // Shares of measured rows move in steps, which have no prices between them.
+    if (problem_.yields.empty() || is_goal(0) || !options_.price_yields ||
+        !problem_.measured.empty())
+      return list;
     std::vector<double> risks = wanted_;
     const YieldPrice largest =
         all_are_free(solved, risks) ? kNoPrice : largest_price(solved, risks);

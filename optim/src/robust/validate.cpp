@@ -18,6 +18,12 @@ void validate_robust(const RobustProblem& problem) {
   if (measured.columns() > problem.inputs.size() ||
       (!measured.empty() && !(measured.sum_of_weights() > 0.0)))
     throw InputError("measured rows have a weight, and a column for each of the last inputs");
+  if (!problem.measured.empty() &&
+      std::any_of(problem.goals.begin(), problem.goals.end(),
+                  [](const RobustObjective& goal) { return goal.kind == RobustGoal::yield; }))
+    throw InputError(
+        "the share of measured parts moves in steps, which no search by derivatives finds; limit "
+        "it, such as 'yield >= 95 %', and make a metric the goal");
   if (problem.goals.empty()) throw InputError("a robust problem has a goal");
   for (const RobustObjective& goal : problem.goals) {
     if (goal.kind == RobustGoal::nominal && goal.index >= problem.design.objectives.size())

@@ -113,7 +113,8 @@ MetricRequest reserve_request(const MetricRequest& request) {
 // As the user typed it, where the expression is one metric.
 std::string argument_text(const MetricRequest& reserve, const MetricExpression& metric) {
   const std::size_t open = metric.text.find('('), close = metric.text.rfind(')');
-  const bool typed = metric.request() && !metric.request()->warm_at && !metric.request()->worn_at;
+  const MetricRequest* request = metric.request();
+  const bool typed = request && !request->warm_at && !request->worn_at && !request->after;
   if (typed && open != std::string::npos) return metric.text.substr(open + 1, close - open - 1);
   return number_text(reserve.at) + (reserve.argument == Argument::torque ? " N.m" : " rad/s");
 }

@@ -95,6 +95,36 @@ TEST_CASE("a yield over measured rows is that of so many rows (U4.4a)", "[optim]
   CHECK(solved(least_x(rows, 0.95)).design[0] == Approx(10.0).margin(1e-5));
 }
 
+TEST_CASE("a correction of measured rows holds where the margin grows with the design (U4.4a)",
+          "[optim][robust]") {
+  // The least x of which a share has x P >= 10, P of two batches: a normal law of 0.2 +- 0.05 has 0.084 at 1 %.
+  const auto least_product = [](const MeasuredRows& rows, double share) {
+    RobustProblem problem = least_x(rows, share);
+    problem.design.variables[0] = {"x", 20.0, 500.0, 100.0};
+    problem.limits = {{"x P >= 10", 10.0}};
+    problem.built = [](std::span<const double> built, std::optional<std::size_t>, bool) {
+      return Evaluation{{built[0] * built[1]}, {built[1], built[0]}, {}, {}};
+    };
+    return problem;
+  };
+  const MeasuredRows batches = rows_of({{0.15}, {0.25}});
+  const MeasuredRows skewed = rows_of({{0.2}, {0.16}}, {9, 1});
+  const auto is = [](const RobustResult& found, double x) {
+    CHECK(found.verdict == YieldVerdict::holds);
+    // The clearance of 1e-6 of the spread, which is at most a quarter of the mean.
+    CHECK(found.design[0] == Approx(x).epsilon(1e-5));
+  };
+  is(solved(least_product(batches, 0.99)), 10 / 0.15);
+  is(solved(least_product(batches, 0.45)), 10 / 0.25);
+  is(solved(least_product(skewed, 0.85)), 10 / 0.2);
+  is(solved(least_product(skewed, 0.95)), 10 / 0.16);
+  is(solved(least_product(batches, 0.99999)), 10 / 0.15);
+  CHECK(solved(least_product(batches, 0.99)).prices_of_yields.empty());
+  RobustProblem largest = least_product(batches, 0.9);
+  largest.goals = {{RobustGoal::yield}};
+  CHECK_THROWS_AS(solved(largest), InputError);
+}
+
 TEST_CASE("measured rows are drawn whole", "[optim][robust]") {
   // Each sum is 3: apart from each other the columns would ask for up to 6.
   const MeasuredRows rows = rows_of({{0, 3}, {1, 2}, {2, 1}, {3, 0}});

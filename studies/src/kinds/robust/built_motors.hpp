@@ -6,6 +6,8 @@
 
 #include <twum/studies/robust_question.hpp>
 
+#include <twum/base/error.hpp>
+
 #include <compare>
 #include <functional>
 #include <map>
@@ -37,13 +39,19 @@ BuiltMotorsAsked built_motors_asked(const S& asked, const StudyFile& file) {
   const auto apart = [&](const auto& list, const char* entry) {
     for (const auto& one : list) check_apart(built.table, one.parameter, entry);
   };
+  for (const Parameter parameter : built.table.parts.parameters)
+    if (info(parameter).integer)
+      throw InputError(
+          "study.parts: the column " + std::string(info(parameter).name) +
+          " holds whole numbers, which cannot scatter in a search; leave it out, or use "
+          "an uncertainty study");
   apart(asked.variables, "variables");
   apart(asked.tolerances, "tolerances");
   apart(asked.derived, "derived");
   for (const DesignChoice& choice : asked.choose)
     for (const ParameterSet& set : choice.sets)
       for (const auto& [parameter, value] : set.values)
-        check_apart(built.table, parameter, "choose");
+        check_apart(built.table, parameter, "choose." + choice.name);
   return built;
 }
 

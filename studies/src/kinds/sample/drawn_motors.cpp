@@ -147,19 +147,21 @@ DrawnMotors::Broken DrawnMotors::nothing_broken() const {
 
 void DrawnMotors::count(Broken& broken, std::uint64_t index, double weight, const double* metrics,
                         const std::function<std::vector<double>()>& normals) const {
-  std::vector<double> parts;
+  std::vector<double> parts;  // of independent normal numbers; none of measured parts alone
+  bool fails = false;
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     if (limits_[i].limit.holds(metrics[limits_[i].metric])) {
       broken.of_limit[i].add(index);
       continue;
     }
-    if (parts.empty()) parts = correlation_.parts(normals());
+    if (!fails) parts = correlation_.parts(normals());
+    fails = true;
     broken.of_limit[i].add_failing(index, weight, parts);
   }
-  if (parts.empty())
-    broken.any.add(index);
-  else
+  if (fails)
     broken.any.add_failing(index, weight, parts);
+  else
+    broken.any.add(index);
 }
 
 // Measured parts are drawn whole and have no normal numbers: what fails because of them is not known.

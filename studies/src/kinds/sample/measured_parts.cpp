@@ -9,6 +9,7 @@
 #include <twum/motors/design_table.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -20,6 +21,12 @@ namespace {
 
 constexpr std::string_view kWeight = "weight";
 
+// Weights are known in any case of letters: read as another column, all parts would count alike.
+bool is_weight(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name == kWeight;
+}
+
 double weight_of(const DesignTable::Scratch& row, std::size_t column, const std::string& place) {
   const std::string cell = cell_text(row.cells[column]);
   const auto weight = parse_number(cell);
@@ -29,7 +36,9 @@ double weight_of(const DesignTable::Scratch& row, std::size_t column, const std:
 
 // The rows of the table below its heading.
 optim::MeasuredRows rows_of(const DesignTable& table, CsvReader& reader, const std::string& path) {
-  const auto weight = table.column_named(kWeight);
+  const std::vector<std::string> others = table.copied();
+  const auto named = std::ranges::find_if(others, is_weight);
+  const auto weight = named == others.end() ? std::nullopt : table.column_named(*named);
   optim::MeasuredRows rows(table.parameters().size());
   DesignTable::Scratch row;
   CsvChunk chunk;
@@ -42,9 +51,21 @@ optim::MeasuredRows rows_of(const DesignTable& table, CsvReader& reader, const s
       rows.add(values, weight ? weight_of(row, *weight, place) : 1);
     }
   if (!(rows.sum_of_weights() > 0) || !std::isfinite(rows.sum_of_weights()))
-    throw InputError(path + ": " + (rows.empty() ? "no part" : "no part with a weight") +
-                     "; expected a line for each part below the heading");
+    throw InputError(path + ": " +
+                     (rows.empty() ? "no part; expected a line for each part below the heading"
+                                   : "the weights of all parts are 0; give one of them more"));
   return rows;
+}
+
+// A column that the motor cannot have, such as a voltage beside an amplitude, leaves no part a motor.
+void check_fits(const MeasuredParts& parts, const MotorDesign& base, const std::string& place) {
+  const std::span<const double> first = parts.rows.draw(0);
+  for (std::size_t i = 0; i < parts.parameters.size(); ++i) {
+    const std::vector<std::string> wrong = complaints(with(base, parts.parameters[i], first[i]));
+    if (wrong.empty()) continue;
+    throw InputError(place + ": the column " + std::string(info(parts.parameters[i]).name) +
+                     " does not fit the motor: " + wrong.front());
+  }
 }
 
 }  // namespace
@@ -66,7 +87,7 @@ PartsTable read_parts(const std::string& path, const std::string& folder, const 
   PartsTable read{{table.parameters(), {}}, name, {}};
   if (!plain.kind.empty()) read.notes.push_back(name + " is read as: " + plain.kind);
   std::vector<std::string> unused = table.copied();
-  if (std::erase(unused, kWeight) > 1)
+  if (std::erase_if(unused, is_weight) > 1)
     throw InputError(place + ": the column 'weight' stands there twice; leave one of them out");
   for (const std::string& column : unused)
     read.notes.push_back("column " + quoted(column) + " of " + quoted(name) +
@@ -75,6 +96,7 @@ PartsTable read_parts(const std::string& path, const std::string& folder, const 
     throw InputError(place +
                      ": no column is a parameter; expected a heading such as 'preload [N]'");
   read.parts.rows = rows_of(table, reader, place);
+  check_fits(read.parts, base, place);
   return read;
 }
 
