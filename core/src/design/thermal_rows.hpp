@@ -89,8 +89,7 @@ constexpr ParameterPlace of_stator() {
         auto* number = of_material<block, member>(d);
         if (number) *number = value;
         return number != nullptr;
-      }}
-      .kept_if(material_has<block, member>);
+      }};
 }
 
 /// Rows of the parameter table for heat. Every motor does without them.
@@ -99,9 +98,7 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
       false, false, kNoAlternative, "0.25 W/(m.K)",
       "thermal conductivity of the lining; gives conductance_lining",
       "a tenth of the best foam to five times diamond", "none", false},
-     optional_number<&ContactLayer::conductivity>()
-         .used_if(lining_conducts)
-         .kept_if(has<&ContactLayer::conductivity>)},
+     optional_number<&ContactLayer::conductivity>()},
     {{P::substrate_conductivity, "substrate_conductivity", "", "W/(m.K)",
       "stator.geometry.substrate.conductivity", 1e-3, 1e4, false, false, kNoAlternative,
       "77 W/(m.K)", "thermal conductivity of the metal, for clamped web and teeth",
