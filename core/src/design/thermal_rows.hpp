@@ -79,17 +79,16 @@ bool material_has(const MotorDesign& design) {
 
 template <auto block, auto member>
 constexpr ParameterPlace of_stator() {
-  return ParameterPlace{
-      [](const MotorDesign& d) {
-        const auto* number = of_material<block, member>(d);
-        return number ? number->value_or(kNoValue) : kNoValue;
-      },
-      [](const MotorDesign& d) { return d.thermal && material_has<block, member>(d); },
-      [](MotorDesign& d, double value) {
-        auto* number = of_material<block, member>(d);
-        if (number) *number = value;
-        return number != nullptr;
-      }};
+  return ParameterPlace{[](const MotorDesign& d) {
+                          const auto* number = of_material<block, member>(d);
+                          return number ? number->value_or(kNoValue) : kNoValue;
+                        },
+                        material_has<block, member>,
+                        [](MotorDesign& d, double value) {
+                          auto* number = of_material<block, member>(d);
+                          if (number) *number = value;
+                          return number != nullptr;
+                        }};
 }
 
 /// Rows of the parameter table for heat. Every motor does without them.
