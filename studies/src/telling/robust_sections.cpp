@@ -43,7 +43,7 @@ Phrase price_phrase(const RobustReport& report, const Goal& goal) {
   const double price = std::fabs(report.nominal_objective - report.objective);
   Phrase phrase{"Without tolerances the optimum has ", a_name_part(goal.metric), " of ",
                 goal_part(goal, report.nominal_objective)};
-  if (std::isfinite(report.nominal_yield.value))
+  if (report.nominal_yield.value < 1)
     append(phrase,
            {", but only ", share_part(report.nominal_yield.value, 2), " of its motors would pass"});
   append(phrase, {". The tolerances cost ", goal_part(goal, price, 3), " (",

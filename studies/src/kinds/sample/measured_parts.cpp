@@ -47,7 +47,12 @@ optim::MeasuredRows rows_of(const DesignTable& table, CsvReader& reader, const s
       const std::string place = path + ":" + std::to_string(chunk.records[i].line) + ": ";
       if (!table.read_row(chunk.record(i), row)) throw InputError(place + row.reason);
       std::vector<double> values;
-      for (const ParameterValue& one : row.values) values.push_back(one.second);
+      for (const auto& [parameter, value] : row.values) {
+        if (const std::string wrong = complaint(parameter, value); !wrong.empty())
+          throw InputError(place + std::string(info(parameter).name) + ": " + number_text(value) +
+                           ": " + wrong);
+        values.push_back(value);
+      }
       rows.add(values, weight ? weight_of(row, *weight, place) : 1);
     }
   if (!(rows.sum_of_weights() > 0) || !std::isfinite(rows.sum_of_weights()))
@@ -61,7 +66,12 @@ optim::MeasuredRows rows_of(const DesignTable& table, CsvReader& reader, const s
 void check_fits(const MeasuredParts& parts, const MotorDesign& base, const std::string& place) {
   const std::span<const double> first = parts.rows.draw(0);
   for (std::size_t i = 0; i < parts.parameters.size(); ++i) {
-    const std::vector<std::string> wrong = complaints(with(base, parts.parameters[i], first[i]));
+    std::vector<std::string> wrong;
+    try {
+      wrong = complaints(with(base, parts.parameters[i], first[i]));
+    } catch (const InputError& error) {
+      wrong = {error.what()};
+    }
     if (wrong.empty()) continue;
     throw InputError(place + ": the column " + std::string(info(parts.parameters[i]).name) +
                      " does not fit the motor: " + wrong.front());
