@@ -271,7 +271,7 @@ void check_correlations(const std::vector<Tolerance>& tolerances,
     for (const auto& [place, parameter] :
          {std::pair(pairs[i].a, correlations[i].a), std::pair(pairs[i].b, correlations[i].b)}) {
       if (place < tolerances.size()) continue;
-      add(i, quoted(info(parameter).name) + " has no tolerance",
+      add(i, quoted(info(parameter).name) + " does not scatter",
           "add it to '" + of + "', or leave it out: columns of 'parts' correlate by their rows");
       known = false;
     }
