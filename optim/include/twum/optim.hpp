@@ -30,6 +30,7 @@
 #include <twum/optim/library_versions.hpp>
 #include <twum/optim/lost_rank.hpp>
 #include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/measured_rows.hpp>
 #include <twum/optim/neighbour_test.hpp>
 #include <twum/optim/offset_test.hpp>
 #include <twum/optim/optimum_moves.hpp>
