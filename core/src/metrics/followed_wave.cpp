@@ -12,7 +12,8 @@ namespace twum::core {
 namespace {
 
 constexpr int kMostSteps = 8;
-constexpr double kLongestStep = 0.2;  // of amplitude and speed: a longer step may lead to another wave
+constexpr double kLongestStep =
+    0.2;  // of amplitude and speed: a longer step may lead to another wave
 constexpr double kSettled = 1e-12;  // likewise; what a step leaves is of the order of its square
 
 // Slices of `auto` are those of a wave with the amplitude nearby.

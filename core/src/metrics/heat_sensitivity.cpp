@@ -147,7 +147,7 @@ void CourseSensitivity::take_next_step(std::size_t phase) {
 }
 
 CourseSensitivity::Place CourseSensitivity::take_step(std::size_t phase, const Place& from,
-                                                    double h) {
+                                                      double h) {
   const HeatSolver& solver = course_.phases()[phase].solver;
   const HeatState middle = solver.advanced(from.at.state, h / 2, kBetweenError),
                   end = solver.advanced(middle, h / 2, kBetweenError);

@@ -16,13 +16,10 @@ namespace twum::motors {
 namespace {
 
 // SI units of all properties but those without dimension.
-constexpr std::pair<std::string_view, std::string_view> kUnits[] = {{"youngs_modulus", "Pa"},
-                                                                    {"density", "kg/m^3"},
-                                                                    {"d31", "m/V"},
-                                                                    {"permittivity", "F/m"},
-                                                                    {"specific_wear", "m^2/N"},
-                                                                    {"conductivity", "W/(m.K)"},
-                                                                    {"specific_heat", "J/(kg.K)"}};
+constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
+    {"youngs_modulus", "Pa"},     {"density", "kg/m^3"},      {"d31", "m/V"},
+    {"permittivity", "F/m"},      {"specific_wear", "m^2/N"}, {"conductivity", "W/(m.K)"},
+    {"specific_heat", "J/(kg.K)"}};
 
 std::string unit_of_property(std::string_view name) {
   for (const auto& [property, unit] : kUnits)

@@ -15,12 +15,12 @@ namespace twum::stator {
 
 /// The metal plate. Its thickness is that of the ring, without the teeth.
 struct Substrate {
-  double inner_radius{};                ///< [m]
-  double outer_radius{};                ///< [m]
-  double thickness{};                   ///< [m]
-  double youngs_modulus{};              ///< [Pa]
-  double poisson_ratio{};               ///< [1]
-  double density{};                     ///< [kg/m^3]
+  double inner_radius{};                  ///< [m]
+  double outer_radius{};                  ///< [m]
+  double thickness{};                     ///< [m]
+  double youngs_modulus{};                ///< [Pa]
+  double poisson_ratio{};                 ///< [1]
+  double density{};                       ///< [kg/m^3]
   std::optional<double> conductivity{};   ///< of heat [W/(m K)]
   std::optional<double> specific_heat{};  ///< [J/(kg K)]
 
@@ -62,14 +62,14 @@ struct Glue {
 
 /// The piezoceramic ring under the metal, polarized along the axis.
 struct Ceramic {
-  double inner_radius{};                ///< [m]
-  double outer_radius{};                ///< [m]
-  double thickness{};                   ///< h_p [m]
-  double youngs_modulus{};              ///< E_p, short-circuited [Pa]
-  double poisson_ratio{};               ///< nu_p [1]
-  double density{};                     ///< [kg/m^3]
-  double d31{};                         ///< [m/V], usually negative
-  double permittivity{};                ///< eps_33 at constant stress [F/m]
+  double inner_radius{};                  ///< [m]
+  double outer_radius{};                  ///< [m]
+  double thickness{};                     ///< h_p [m]
+  double youngs_modulus{};                ///< E_p, short-circuited [Pa]
+  double poisson_ratio{};                 ///< nu_p [1]
+  double density{};                       ///< [kg/m^3]
+  double d31{};                           ///< [m/V], usually negative
+  double permittivity{};                  ///< eps_33 at constant stress [F/m]
   std::optional<double> specific_heat{};  ///< [J/(kg K)]
 
   bool operator==(const Ceramic&) const = default;  ///< number by number
