@@ -274,7 +274,12 @@ TEST_CASE("wrong parts and correlations are refused with their place",
   says(error("preload [N]\n150\nx\n", "  parts: parts.csv\n"),
        "parts.csv:3: preload: 'x' is not a number");
   says(error("preload [N],weight\n150,-1\n", "  parts: parts.csv\n"), "parts.csv:2: weight: '-1'");
-  says(error("preload [N],weight\n150,0\n", "  parts: parts.csv\n"), "no part with a weight");
+  says(error("preload [N],Weight\n150,0\n", "  parts: parts.csv\n"),
+       "the weights of all parts are 0");
+  says(error("preload [N],kinetic_friction\n150,0.2\n160,-0.2\n", "  parts: parts.csv\n"),
+       "parts.csv:3: kinetic_friction: -0.2");
+  says(error("voltage [V]\n150\n", "  parts: parts.csv\n"),
+       "the column voltage does not fit the motor");
   says(error("preload [N],weight,weight\n150,1,2\n", "  parts: parts.csv\n"),
        "'weight' stands there twice");
   says(error("preload [N]\n", "  parts: parts.csv\n"), "no part");
