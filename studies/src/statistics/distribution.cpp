@@ -14,6 +14,11 @@ namespace twum::studies {
 
 namespace {
 
+// Boost computes in double: long double differs from machine to machine, and valgrind has none.
+using Beta = boost::math::beta_distribution<
+    double, boost::math::policies::policy<boost::math::policies::promote_float<false>,
+                                          boost::math::policies::promote_double<false>>>;
+
 // Squared standard deviation over squared mean of a Weibull distribution; falls with its exponent.
 double weibull_ratio(double exponent) {
   return std::expm1(std::lgamma(1 + 2 / exponent) - 2 * std::lgamma(1 + 1 / exponent));
@@ -114,7 +119,7 @@ Distribution::OfNormal Distribution::whole_of_normal(double z) const {
       return {value, value / (b_ * log) * density / over};
     }
     case Shape::beta: {
-      const boost::math::beta_distribution<> law(c_, d_);
+      const Beta law(c_, d_);
       const double share = z < 0 ? boost::math::quantile(law, below)
                                  : boost::math::quantile(boost::math::complement(law, over));
       return {a_ + range * share, range * density / boost::math::pdf(law, share)};
@@ -160,8 +165,7 @@ double Distribution::whole_cdf(double x) const {
       return 1 - (b_ - x) / (b_ - a_) * ((b_ - x) / (b_ - c_));
     case Shape::weibull: return x > 0 ? -std::expm1(-std::pow(x / a_, b_)) : 0;
     case Shape::beta:
-      return boost::math::cdf(boost::math::beta_distribution<>(c_, d_),
-                              std::clamp((x - a_) / (b_ - a_), 0.0, 1.0));
+      return boost::math::cdf(Beta(c_, d_), std::clamp((x - a_) / (b_ - a_), 0.0, 1.0));
   }
   TWUM_ASSERT(false);
   return 0;
@@ -176,8 +180,7 @@ double Distribution::whole_quantile(double p) const {
       if (p * (b_ - a_) <= c_ - a_) return a_ + std::sqrt(p * (b_ - a_) * (c_ - a_));
       return b_ - std::sqrt((1 - p) * (b_ - a_) * (b_ - c_));
     case Shape::weibull: return a_ * std::pow(-std::log1p(-p), 1 / b_);
-    case Shape::beta:
-      return a_ + (b_ - a_) * boost::math::quantile(boost::math::beta_distribution<>(c_, d_), p);
+    case Shape::beta: return a_ + (b_ - a_) * boost::math::quantile(Beta(c_, d_), p);
   }
   TWUM_ASSERT(false);
   return 0;
