@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/evaluator.hpp"
+#include "metrics/found_value.hpp"
 #include "metrics/motor_parts.hpp"
 
 #include "metrics/motor_curve.hpp"
@@ -91,15 +92,7 @@ bool Evaluator::has_meaning(Metric metric) const {
 template <typename Find>
 MetricValue Evaluator::found(Metric metric, Find find) {
   if (!has_meaning(metric)) return {kNoValue, MetricStatus::undefined};
-  try {
-    const double found = find();
-    return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
-                                : MetricValue{kNoValue, MetricStatus::inaccurate};
-  } catch (const SearchFailure& failure) {
-    return {kNoValue, failure.status};
-  } catch (const EvaluationError&) {  // a search without a bracket
-    return {kNoValue, MetricStatus::unresolved};
-  }
+  return found_value(find);
 }
 
 MetricValue Evaluator::evaluate(const MetricRequest& request) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/heat_metrics.hpp"
 
-#include "curve/curve.hpp"
+#include "metrics/found_value.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/no_value.hpp>
@@ -115,15 +115,7 @@ MetricValue HeatMetrics::evaluate(const MetricRequest& request) {
   if (request.after && !(*request.after >= 0)) return {kNoValue, MetricStatus::out_of_range};
   const LoadPoint load = request.warm_at ? *request.warm_at : load_of(request);
   if (load.argument == Argument::both && !(load.at > 0)) return {kNoValue, MetricStatus::undefined};
-  try {
-    const double found = value(request);
-    return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
-                                : MetricValue{kNoValue, MetricStatus::inaccurate};
-  } catch (const SearchFailure& failure) {
-    return {kNoValue, failure.status};
-  } catch (const EvaluationError&) {  // a search without a bracket
-    return {kNoValue, MetricStatus::unresolved};
-  }
+  return found_value([&] { return value(request); });
 }
 
 }  // namespace twum::core

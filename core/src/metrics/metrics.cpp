@@ -48,7 +48,7 @@ namespace {
 bool needs_no_wave(Metric metric) {
   return metric == Metric::holding_torque || metric == Metric::coupling_factor ||
          metric == Metric::capacitance_ratio || metric == Metric::mode_separation ||
-         metric == Metric::stator_mass || false;
+         metric == Metric::stator_mass;
 }
 
 // Numbers of the waves at rest: the running wave need not be followed over the speed.

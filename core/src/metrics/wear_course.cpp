@@ -130,7 +130,8 @@ Life WearCourse::found() {
 const Life& WearCourse::life() {
   if (life_) return *life_;
   life_ = found();
-  if (life_->status == MetricStatus::ok && !rates_.confirms(life_->depth)) life_ = found();
+  if (life_->status == MetricStatus::ok && !rates_.confirm_or_stop_following(life_->depth))
+    life_ = found();
   return *life_;
 }
 

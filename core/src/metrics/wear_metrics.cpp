@@ -2,7 +2,7 @@
 // Values and derivatives of what follows from the wear of a motor (V2.7).
 #include "metrics/wear_metrics.hpp"
 
-#include "curve/curve.hpp"
+#include "metrics/found_value.hpp"
 #include "metrics/wear_quadrature.hpp"
 
 #include <twum/base/error.hpp>
@@ -62,13 +62,7 @@ double WearMetrics::value(const MetricRequest& request) {
 MetricValue WearMetrics::evaluate(const MetricRequest& request) {
   if (!design_.wear) return {kNoValue, MetricStatus::undefined};
   try {
-    const double found = value(request);
-    return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
-                                : MetricValue{kNoValue, MetricStatus::inaccurate};
-  } catch (const SearchFailure& failure) {
-    return {kNoValue, failure.status};
-  } catch (const EvaluationError&) {  // a search without a bracket
-    return {kNoValue, MetricStatus::unresolved};
+    return found_value([&] { return value(request); });
   } catch (const InputError&) {  // a worn motor that is none
     return {kNoValue, MetricStatus::unresolved};
   }

@@ -269,9 +269,9 @@ bool WearRates::carries(double depth) {
   }
 }
 
-bool WearRates::confirms(double depth) {
+bool WearRates::confirm_or_stop_following(double depth) {
   bool all = true;
-  for (WornMotors& one : motors_) all = one.confirms(depth) && all;
+  for (WornMotors& one : motors_) all = one.confirm_or_stop_following(depth) && all;
   return all;
 }
 

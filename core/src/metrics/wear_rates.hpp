@@ -34,8 +34,8 @@ class WearRates {
   WearRate at(double depth);
   WearRate with_slopes(double depth, bool fixed_static_friction);
   bool carries(double depth);
-  /// As WornMotors::confirms().
-  bool confirms(double depth);
+  /// As WornMotors::confirm_or_stop_following().
+  bool confirm_or_stop_following(double depth);
   /// Under the design's own voltage.
   WornMotors& motors() { return motors({}); }
 

@@ -135,7 +135,7 @@ std::vector<MetricDerivative> WornMotors::differentiate(double depth,
       fixed);
 }
 
-bool WornMotors::confirms(double depth) {
+bool WornMotors::confirm_or_stop_following(double depth) {
   for (const Path& path : paths_) {
     const auto known = path.waves.find(depth);
     if (known == path.waves.end()) continue;

@@ -29,7 +29,7 @@ class WornMotors {
                                               bool fixed_static_friction);
   /// Compares the waves that were followed to a depth with those of a new search there. Without agreement no wave is followed any
   /// more, and what was found before is not to be used.
-  bool confirms(double depth);
+  bool confirm_or_stop_following(double depth);
 
  private:
   /// The wave that carries a load, by the depths at which it is known.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/explained.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <twum/base/no_value.hpp>
 #include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
@@ -23,8 +25,11 @@ Explained::Explained(const RobustProblem& problem, const SolvedRound& solved)
       y_(solved.result.design),
       points_(round_.points(y_)),
       beta_(round_.betas(y_)) {
-  for (std::size_t s = 0; s < problem.statistics.size(); ++s)
-    statistics_.push_back(round_.statistic(y_, s, points_));
+  for (std::size_t s = 0; s < problem.statistics.size(); ++s) {
+    Moment& one = statistics_.emplace_back(round_.statistic(y_, s, points_));
+    if (problem.statistics[s].kind == Statistic::quantile && !fail_by_law())
+      std::ranges::fill(one.by_spread, kNoValue);
+  }
 }
 
 // Improvement of the goal per unit that a limit is relaxed.
@@ -46,7 +51,7 @@ std::vector<RiskShare> Explained::risks(const Verification& verified) const {
     RiskShare share{problem_.limits[terms[j].margin.response].name,
                     terms[j].margin.sign > 0.0 ? Side::lower : Side::upper, *terms[j].target,
                     beta_[j]};
-    share.importance = problem_.correlation.parts(points_[j].direction);
+    if (fail_by_law()) share.importance = problem_.correlation.parts(points_[j].direction);
     share.multiplier = multiplier(j);
     share.converged = points_[j].converged;
     share.delta = round_.correction().delta[j];
@@ -72,11 +77,17 @@ double Explained::per_objective() const {
   return spread > 0.0 ? 0.5 / spread : 0.0;
 }
 
+// The slope of a margin by the spread of an input.
+double Explained::by_spread(std::size_t term, std::size_t input) const {
+  return fail_by_law() ? points_[term].at.by_spread[input] : kNoValue;
+}
+
 // Improvement of the goal by the margins if the spread of an input is 1 % smaller.
 double Explained::gain_of_margins(std::size_t input) const {
   double gain = 0.0;
   for (std::size_t j = 0; j < points_.size(); ++j)
-    gain -= 0.01 * multiplier(j) * points_[j].at.by_spread[input];
+    if (const double worth = multiplier(j); worth != 0.0)
+      gain -= 0.01 * worth * by_spread(j, input);
   return gain;
 }
 
@@ -103,7 +114,7 @@ std::vector<TolerancePrice> Explained::prices() const {
     for (std::size_t j = 0; j < points_.size(); ++j)
       if (round_.terms().terms[j].target == 0U && points_[j].by_beta != 0.0)
         price.yield_per_percent_tighter +=
-            0.01 * normal_density(beta_[j]) * points_[j].at.by_spread[k] / points_[j].by_beta;
+            0.01 * normal_density(beta_[j]) * by_spread(j, k) / points_[j].by_beta;
     list.push_back(std::move(price));
   }
   return list;
@@ -111,6 +122,7 @@ std::vector<TolerancePrice> Explained::prices() const {
 
 double Explained::price_of_yield() const {
   if (problem_.yields.empty() || round_.is_goal(0)) return 0.0;
+  if (!fail_by_law()) return kNoValue;
   return multiplier(round_.risk_line(0)) / round_.risk(0);
 }
 

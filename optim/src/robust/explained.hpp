@@ -5,7 +5,8 @@
 
 namespace twum::optim {
 
-/// Sensitivities of a solved round to limits and tolerances, U6.1 to U6.5.
+/// Sensitivities of a solved round to limits and tolerances, U6.1 to U6.5. What follows from the distribution of the failing
+/// products is missing with measured rows, whose failures are not those of their normal law (U1.11).
 class Explained {
  public:
   /// Keeps references to both.
@@ -22,8 +23,10 @@ class Explained {
   double per_objective() const;
 
  private:
+  bool fail_by_law() const { return problem_.measured.empty(); }
   double multiplier(const std::string& name) const;
   double multiplier(std::size_t term) const;
+  double by_spread(std::size_t term, std::size_t input) const;
   double gain_of_margins(std::size_t input) const;
   double gain_of_statistics(std::size_t input) const;
 

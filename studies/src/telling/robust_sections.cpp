@@ -138,9 +138,10 @@ Table risk_table(const RobustReport& report) {
 // Which limits fail, and through which tolerance.
 Section risk(const RobustReport& report) {
   Section section{{"Causes of failures"},
-                  {"Share of the failing motors that violate each limit, and the part of it "
-                   "that each tolerance causes. The index is the number of standard deviations "
-                   "between the design and the limit."}};
+                  {"Share of the failing motors that violate each limit",
+                   report.parts.empty() ? ", and the part of it that each tolerance causes" : "",
+                   ". The index is the number of standard deviations between the design and the "
+                   "limit."}};
   section.bars.name = "risk";
   section.bars.title = {"limits that the failing motors violate"};
   section.bars.axis = {"share of the failing motors"};
@@ -201,6 +202,9 @@ Section costs(const RobustReport& report, const Goal& goal) {
                   {"Gain in ", name_part(goal.metric),
                    " if a tolerance is 1 % tighter (3 % becomes 2.97 %), to first order. For a "
                    "large change solve again."}};
+  if (!report.parts.empty())
+    append(section.note, {" Gains that follow from failures are not known in advance with measured "
+                          "parts; the last column counts failing motors."});
   if (report.price_of_yield > 0)
     append(section.note, {" ", share_part(kYieldStep), " more yield costs ",
                           goal_part(goal, kYieldStep * report.price_of_yield, 3), "."});

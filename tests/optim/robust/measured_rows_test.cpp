@@ -143,6 +143,11 @@ TEST_CASE("measured rows beside a tolerance have the exact yield", "[optim][robu
   // What fails because of the parts has no normal numbers: only the tolerance has a price.
   CHECK(std::isfinite(found.verification.tighter[0].value));
   CHECK(std::isnan(found.verification.tighter[1].value));
+  // dx/ds is 1.28 (above), and that of the normal law of the rows 0.24: the price of the tolerance is not known.
+  CHECK(std::isnan(found.prices[0].gain_per_percent_tighter));
+  CHECK(std::isnan(found.prices[0].yield_per_percent_tighter));
+  CHECK(std::isnan(found.price_of_yield));
+  CHECK(found.risks[0].importance.empty());
 }
 
 TEST_CASE("a limited standard deviation is that of the rows", "[optim][robust]") {

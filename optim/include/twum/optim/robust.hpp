@@ -43,7 +43,7 @@ struct RiskShare {
   double probability{0.0};  ///< share of the sampled products that violate it
   double share{0.0};        ///< share of it among the products that violate any limit of the target
   /// alpha_k^2 of each input, or with correlated inputs the part of U1.10, which can be negative: its share in the cause of
-  /// failures; the sum is 1
+  /// failures; the sum is 1. Empty with measured rows
   std::vector<double> importance{};
   double multiplier{0.0};  ///< improvement of the goal per unit of relaxation of this end
   double delta{0.0};       ///< correction of its margin in the last round, user units
@@ -56,7 +56,8 @@ struct YieldPrice {
   double objective{0.0};  ///< goal of the best design with that yield
 };
 
-/// Value of tightening one tolerance, U6.2 to U6.5.
+/// Value of tightening one tolerance, U6.2 to U6.5. NaN where it follows from failures with measured rows; then
+/// Verification::tighter still counts them.
 struct TolerancePrice {
   std::string input{};  ///< its name
   double gain_per_percent_tighter{
@@ -91,7 +92,8 @@ struct RobustResult {
   Verification verification{};           ///< independent sample of products of the design
   std::vector<RiskShare> risks{};        ///< one for every end of a limit
   std::vector<TolerancePrice> prices{};  ///< one for every input
-  double price_of_yield{0.0};  ///< loss of the goal per unit of the first target's yield, U6.4
+  double price_of_yield{
+      0.0};  ///< loss of the goal per unit of the first target's yield, U6.4; NaN with measured rows
   std::vector<RobustRoundReport> rounds{};  ///< in order
   std::vector<double> aimed{};  ///< yields of the first target that the rounds aimed at, U5.4
   /// best goal at several yields, up to the largest possible yield

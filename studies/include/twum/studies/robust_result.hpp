@@ -42,8 +42,9 @@ struct RobustLimit {
   double delta{0};        ///< correction of its margin in the last round, SI
   double probability{0};  ///< share of the new random motors that violate it
   double share{0};        ///< share of it among the motors that violate any limit of the target
-  std::vector<NamedValue> importance{};  ///< share of each tolerance in its failures, sum 1
-  bool converged{true};                  ///< the search for its worst point converged
+  std::vector<NamedValue>
+      importance{};  ///< share of each tolerance in its failures, sum 1; empty with measured parts
+  bool converged{true};  ///< the search for its worst point converged
 };
 
 /// Value of tightening one tolerance.
@@ -51,7 +52,8 @@ struct RobustTolerance {
   std::string name;  ///< of the parameter
   std::string unit;  ///< of the spread: "%" of the design's value, or SI
   double spread{0};  ///< in that unit: standard deviation, half range, or width below the mode
-  /// improvement of the goal if the tolerance is 1 % tighter, to first order; NaN if no design was found
+  /// improvement of the goal if the tolerance is 1 % tighter, to first order; NaN if no design was found, and where it
+  /// would follow from failures with measured parts
   double gain{0};
   double yield_gain{0};  ///< improvement of the yield for the same change, at the same design
   /// the same from the failing motors only, 95 % interval; NaN if the distribution is not normal
