@@ -22,7 +22,7 @@ build_packages=(
   # the Python module
   pybind11-dev python3-dev python3-numpy python3-setuptools python3-wheel python3-venv
   # the core for pages
-  clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
+  clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 zopfli
   # started by twum for plots
   gnuplot-nox
 )

@@ -245,8 +245,42 @@ TEST_CASE("no design at all is one sentence", "[studies][optimize][words]") {
   OptimizeResult result = optimum();
   result.found = false;
   CHECK(headline_text(result, "failed") == "No design could be evaluated.\n");
+  CHECK(headline_text(result, "budget") ==
+        "The search ended before it found a design with a value.\n");
   CHECK(sections_text(result).empty());
   CHECK(answer_json(result)["best"].is_null());
+}
+
+TEST_CASE("a design without a certificate is not called an optimum, and its limits have no prices",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.best.constraints = {active(limit("max_pressure <= 2 MPa", 2e6, 2e6), 1e-6, 0.02)};
+  CHECK_THAT(sections_text(result), Contains("1 % looser"));
+  result.best.certificate.passed = false;
+  result.best.certificate.stationarity = 0.1;
+  CHECK_THAT(sections_text(result), !Contains("looser"));
+  CHECK_THAT(headline_text(result, "budget"), Contains("max_pressure <= 2 MPa: it is met."));
+  result.best.constraints.clear();
+  result.best.bounds.clear();
+  CHECK_THAT(headline_text(result, "budget"),
+             Contains("a longer search or another start may find a better one"));
+  result.best.certificate.passed = true;
+  CHECK_THAT(headline_text(result), Contains("it is an optimum inside the ranges"));
+}
+
+TEST_CASE("a robust search that ends before motors are drawn tells no share of them",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  RobustReport report;
+  report.largest_yield = kNaN;
+  report.limits = {{"stall_torque >= 1 N.m", true, "yield", 3.2}};
+  report.nominal_objective = 1;
+  report.tolerances = {{"preload", "1", 0.02}};
+  result.robust = report;
+  CHECK_THAT(headline_text(result, "budget"), Contains("before any motors were drawn"));
+  CHECK_THAT(sections_text(result), !Contains("Causes of failures") &&
+                                        !Contains("tolerances cost") &&
+                                        !Contains("if 1 % tighter"));
 }
 
 TEST_CASE("limits that no design keeps are named with what would do",

@@ -19,12 +19,20 @@ struct Standing {
   double room{0};  // of the limit, relative
 };
 
+// Multipliers of a design that is no optimum are no prices. An end of a front is an optimum of its goal alone up to the accuracy of
+// the front, which is less than a certificate asks for.
+bool has_prices(const optim::Certificate& c) {
+  constexpr double kClose = 1e-6;
+  return c.passed || std::max({c.stationarity, c.complementarity, c.infeasibility}) <= kClose;
+}
+
 // What is the same for a limit and for an end of a range.
 template <typename State>
-Standing standing_of(const State& state, bool at_least, const std::vector<Goal>& goals,
-                     const std::vector<double>& gain) {
-  const bool known =
-      state.multiplier > 0 && state.gain_per_percent != 0 && std::isfinite(state.gain_per_percent);
+Standing standing_of(const State& state, bool at_least, const DesignReport& report,
+                     const std::vector<Goal>& goals, const std::vector<double>& gain) {
+  const bool optimum = has_prices(report.certificate);
+  const bool known = optimum && state.multiplier > 0 && state.gain_per_percent != 0 &&
+                     std::isfinite(state.gain_per_percent);
   const double step =
       known ? std::fabs(state.gain_per_percent / state.multiplier) : 0.01 * std::fabs(state.limit);
   Standing standing;
@@ -33,11 +41,12 @@ Standing standing_of(const State& state, bool at_least, const std::vector<Goal>&
                    {"limit", number_json(state.limit)},
                    {"step", number_json(step)},
                    {"moved", number_json(state.limit + (at_least ? -step : step))},
-                   {"multiplier", number_json(state.multiplier)},
+                   {"multiplier", number_json(optimum ? state.multiplier : kNoGain)},
                    {"worth", number_json(standing.worth)},
                    {"changes", Json::array()}};
   for (std::size_t k = 0; k < goals.size(); ++k)
-    standing.json["changes"].push_back(number_json((goals[k].maximize ? 1 : -1) * gain[k] * step));
+    standing.json["changes"].push_back(
+        number_json(optimum ? (goals[k].maximize ? 1 : -1) * gain[k] * step : kNoGain));
   return standing;
 }
 
@@ -58,7 +67,7 @@ Standing limit_standing(const LimitState& state, const DesignReport& report,
   const double allowance = breaks ? millionth : std::max(millionth, state.violation);
   const double distance = (state.at_least ? -1 : 1) * (state.limit - state.value);
   const double slack = std::fabs(distance) <= allowance ? 0 : distance;
-  Standing standing = standing_of(state, state.at_least, goals,
+  Standing standing = standing_of(state, state.at_least, report, goals,
                                   gains_of(state.multiplier, state.active, report, goals));
   standing.active = state.active && !breaks;
   standing.room = slack / (state.limit == 0 ? 1 : std::fabs(state.limit));
@@ -83,8 +92,8 @@ Standing limit_standing(const LimitState& state, const DesignReport& report,
 
 Standing bound_standing(const BoundState& state, const DesignReport& report,
                         const std::vector<Goal>& goals) {
-  Standing standing =
-      standing_of(state, !state.upper, goals, gains_of(state.multiplier, true, report, goals));
+  Standing standing = standing_of(state, !state.upper, report, goals,
+                                  gains_of(state.multiplier, true, report, goals));
   standing.active = true;
   standing.json.update({{"variable", state.variable.name},
                         {"unit", state.variable.unit},

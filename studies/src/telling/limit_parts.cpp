@@ -192,6 +192,10 @@ Phrase end_phrase(const std::string& name, bool at_least, double limit, const st
 Phrase holder_phrase(const Json& standing, const std::vector<Goal>& goals,
                      const DesignReport& report) {
   Phrase phrase = strong(standing_phrase(standing));
+  if (standing["multiplier"].is_null()) {
+    append(phrase, {": it is met. What it costs is known at an optimum only."});
+    return phrase;
+  }
   std::vector<Phrase> changes;
   for (std::size_t k = 0; k < goals.size(); ++k)
     if (const double by = number(standing["changes"][k]); by != 0 && std::isfinite(by))

@@ -20,6 +20,11 @@ constexpr double kYieldStep = 0.001, kLeastYield = 0.895;
 /// The largest yield whose price is computed.
 constexpr double kMostYield = 0.999;
 
+// Whether motors of the design were drawn after the search.
+bool verified(const RobustReport& report) {
+  return !report.yields.empty() || !report.statistics.empty();
+}
+
 bool reached(const RobustReport& report) { return !std::isfinite(report.largest_yield); }
 
 Phrase interval(const Estimate& e, const auto& part) {
@@ -298,11 +303,16 @@ Phrase robust_sentence(const RobustReport& report) {
     return {strong("The required yield cannot be reached"), "; the largest found is ",
             share_part(report.largest_yield),
             ". The design shown has this yield. Tighten a tolerance or loosen a limit."};
+  if (!verified(report))
+    return {
+        "The search ended before any motors were drawn, so it is not known how many keep the "
+        "limits."};
   return report.yields.empty() ? statistic_phrase(report.statistics.front())
                                : yield_phrase(report.yields.front());
 }
 
 std::vector<Section> robust_sections(const RobustReport& report, const Goal& goal) {
+  if (!verified(report)) return {};
   std::vector<Section> list;
   if (Section first = against_nominal(report, goal); !first.sentences.empty())
     list.push_back(std::move(first));

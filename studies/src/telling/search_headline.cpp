@@ -32,7 +32,9 @@ Phrase stop_sentence(const OptimizeResult& answer) {
     return phrase;
   }
   if (answer.whole_ends.empty())
-    return {"No limit is active: it is the best design within the ranges."};
+    return {answer.best.certificate.passed
+                ? "No limit is active: it is an optimum inside the ranges."
+                : "No limit is active, so a longer search or another start may find a better one."};
   const BoundState& end = answer.whole_ends.front();
   append(phrase, end_phrase(end.variable.name, !end.upper, end.limit, end.variable.unit));
   append(phrase, {", the end of its range: whole numbers have no slope. Try a wider range."});
@@ -220,7 +222,12 @@ Headline relaxation_headline(const Explanation& explanation) {
 }
 
 Headline headline_of(const OptimizeResult& answer, const StudyResult& result) {
-  if (!answer.found) return {Look::bad, "", {{strong("No design could be evaluated.")}}, {}};
+  if (!answer.found) {
+    const char* none = result.outcome == StudyOutcome::budget
+                           ? "The search ended before it found a design with a value."
+                           : "No design could be evaluated.";
+    return {Look::bad, "", {{strong(none)}}, {}};
+  }
   if (!answer.explanation.empty()) return relaxation_headline(answer.explanation);
   const Phrase second = answer.robust ? robust_sentence(*answer.robust) : stop_sentence(answer);
   return {result.outcome == StudyOutcome::optimal ? Look::good : Look::bad,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/base/no_value.hpp>
 #include <twum/optim/estimate.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust_problem.hpp>
@@ -36,12 +37,14 @@ struct Verification {
 
 /// Contribution of one end of a limit to the risk, U6.1.
 struct RiskShare {
-  std::string limit{};      ///< its name
-  Side side{Side::lower};   ///< which end of the limit
-  std::size_t target{0};    ///< index of its yield target
-  double beta{0.0};         ///< its reliability index
-  double probability{0.0};  ///< share of the sampled products that violate it
-  double share{0.0};        ///< share of it among the products that violate any limit of the target
+  std::string limit{};     ///< its name
+  Side side{Side::lower};  ///< which end of the limit
+  std::size_t target{0};   ///< index of its yield target
+  double beta{0.0};        ///< its reliability index
+  /// share of the sampled products that violate it; NaN if none were drawn
+  double probability{kNoValue};
+  /// share of it among the products that violate any limit of the target; likewise
+  double share{kNoValue};
   /// alpha_k^2 of each input, or with correlated inputs the part of U1.10, which can be negative: its share in the cause of
   /// failures; the sum is 1. Empty with measured rows
   std::vector<double> importance{};

@@ -40,8 +40,8 @@ struct RobustLimit {
   std::string target;     ///< the yield or probability that it counts in
   double beta{0};         ///< reliability index
   double delta{0};        ///< correction of its margin in the last round, SI
-  double probability{0};  ///< share of the new random motors that violate it
-  double share{0};        ///< share of it among the motors that violate any limit of the target
+  double probability{0};  ///< share of the new random motors that violate it; NaN without motors
+  double share{0};  ///< share of it among those that violate any limit of the target; likewise
   std::vector<NamedValue>
       importance{};  ///< share of each tolerance in its failures, sum 1; empty with measured parts
   bool converged{true};  ///< the search for its worst point converged
