@@ -88,6 +88,17 @@ TEST_CASE("a row that fails has empty metrics and a reason, and the others go on
         "100,0.1,100,ok\n");
 }
 
+TEST_CASE("a parameter's heading may have capitals, a symbol may not", "[studies][tables]") {
+  CHECK(
+      result_of("Preload (N),Thickness [um],Motor.Stator.Amplitude [um]\n100,200,1\n",
+                "preload, thickness, amplitude") ==
+      "Preload (N),Thickness [um],Motor.Stator.Amplitude [um],preload [N],thickness [m],amplitude "
+      "[m],status\n100,200,1,100,2e-04,1e-06,ok\n");
+  // H is no thickness.
+  CHECK_THROWS_WITH(result_of("H [mm]\n0.2\n", "thickness"),
+                    Catch::Contains("no column is a parameter"));
+}
+
 TEST_CASE("a metric without an answer is empty and named in the status", "[studies][tables]") {
   CHECK(result_of("preload\n160\n", "holding_torque, speed_at(100 N.m), max_efficiency") ==
         "preload,holding_torque [N.m],speed_at(100 N.m) [rad/s],max_efficiency [1],status\n160," +

@@ -106,6 +106,13 @@ std::size_t leading_blank(std::string_view text) {
   return text.starts_with("\xE2\x80\xAF") ? 3 : 0;
 }
 
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::string_view trimmed(std::string_view text) {
   while (const std::size_t blank = leading_blank(text)) text.remove_prefix(blank);
   while (const std::size_t blank = trailing_blank(text)) text.remove_suffix(blank);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <utility>
 
@@ -51,9 +50,9 @@ std::string plain_word(std::string_view name) {
   std::string word;
   for (const char c : name) {
     if (std::string_view(" \t_-.:").find(c) != std::string_view::npos) continue;
-    word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    word += c;
   }
-  return word;
+  return in_small_letters(word);
 }
 
 struct InstrumentHeading {

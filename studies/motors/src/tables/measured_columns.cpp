@@ -8,7 +8,6 @@
 #include <twum/io/words.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace twum::motors {
@@ -21,13 +20,6 @@ std::optional<Reading> reading_of(std::string_view name) {
   const auto metric = name == "torque" ? Metric::torque_at : find_metric(name);
   if (!metric) return {};
   return MetricRequest{*metric, info(*metric).argument, 0};
-}
-
-std::string in_small_letters(std::string_view name) {
-  std::string small(name);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
 }
 
 class ColumnReader {
@@ -340,9 +332,7 @@ bool is_measured_name(std::string_view name) {
   return reading_of(name) || name == "speed" || name == "weight" || parameter_named(name);
 }
 
-// Short names are symbols, of which another case means something else.
 bool is_known_in_small_letters(std::string_view name) {
-  constexpr std::size_t kLongestSymbol = 4;
   std::string small = in_small_letters(name);
   if (small.ends_with(kDeviation)) small.resize(small.size() - kDeviation.size());
   return name.size() > kLongestSymbol && !is_measured_name(name) && is_measured_name(small);

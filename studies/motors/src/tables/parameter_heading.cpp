@@ -5,13 +5,22 @@
 
 namespace twum::motors {
 
-std::optional<Parameter> parameter_named(std::string_view name) {
+namespace {
+
+std::optional<Parameter> spelled(std::string_view name) {
   if (const auto parameter = find_parameter(name)) return parameter;
   constexpr std::string_view kMotor = "motor.";
   if (name.starts_with(kMotor)) name.remove_prefix(kMotor.size());
   for (const ParameterInfo& row : parameter_table())
     if (row.file_entry == name) return row.parameter;
   return {};
+}
+
+}  // namespace
+
+std::optional<Parameter> parameter_named(std::string_view name) {
+  if (const auto parameter = spelled(name)) return parameter;
+  return name.size() > kLongestSymbol ? spelled(in_small_letters(name)) : std::nullopt;
 }
 
 bool is_bare_letter(const Heading& heading) {

@@ -11,8 +11,11 @@
 
 namespace twum::motors {
 
+/// Names of up to so many letters are symbols, of which another case means something else.
+inline constexpr std::size_t kLongestSymbol = 4;
+
 /// The parameter that a column's heading means: by its name, its symbol, or its entry in a motor file, such as
-/// "friction.kinetic" or "motor.preload".
+/// "friction.kinetic" or "motor.preload"; capitals of "Preload" mean nothing.
 std::optional<Parameter> parameter_named(std::string_view name);
 
 /// One letter without a unit, as of a column that numbers its rows ("n"). It must not set a parameter without a word.

@@ -9,7 +9,6 @@
 #include <twum/motors/design_table.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -22,10 +21,7 @@ namespace {
 constexpr std::string_view kWeight = "weight";
 
 // Weights are known in any case of letters: read as another column, all parts would count alike.
-bool is_weight(std::string name) {
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name == kWeight;
-}
+bool is_weight(const std::string& name) { return in_small_letters(name) == kWeight; }
 
 double weight_of(const DesignTable::Scratch& row, std::size_t column, const std::string& place) {
   const std::string cell = cell_text(row.cells[column]);

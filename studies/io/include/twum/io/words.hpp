@@ -28,6 +28,9 @@ std::size_t leading_blank(std::string_view text);
 /// The text without blanks at its ends (no-break spaces included); a view into it.
 std::string_view trimmed(std::string_view text);
 
+/// The text with its ASCII capitals as small letters.
+std::string in_small_letters(std::string_view text);
+
 /// A user's text made safe to print: control characters as \\xNN, at most `limit` characters.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
