@@ -32,6 +32,43 @@ TEST_CASE("data of every kind without noise give the parameters back",
   }
 }
 
+TEST_CASE("temperatures of one warm-up without noise give conductances and capacities back",
+          "[studies][calibrate][inverse][heat]") {
+  using enum Parameter;
+  Case one;
+  one.motor = "warm-60";
+  one.more = "starts: 1, scatter: by-column";
+  const std::vector<Parameter> sought{conductance_housing_ambient, conductance_stator_housing,
+                                      stator_heat_capacity, housing_heat_capacity};
+  one.variables.clear();
+  for (const Parameter p : sought) {
+    const std::string unit(info(p).unit);
+    one.variables += std::string(one.variables.empty() ? "" : ", ") + std::string(info(p).name) +
+                     ": {min: 0.05 " + unit + ", max: 500 " + unit + ", scale: log}";
+  }
+  const MotorDesign truth = one.design();
+  std::string csv = "torque [N.m],time [s],stator_temperature_at [K],housing_temperature_at [K]\n";
+  for (const double seconds : {30, 60, 120, 240, 480, 1080, 2700}) {
+    csv += "0.5," + number(seconds);
+    for (const Metric part : {Metric::stator_temperature_at, Metric::housing_temperature_at}) {
+      MetricRequest request{part, Argument::torque, 0.5};
+      request.after = seconds;
+      csv += "," + number(evaluate(Motor(truth), std::vector{request})[0].value);
+    }
+    csv += "\n";
+  }
+  // The motor of the study begins elsewhere.
+  one.set =
+      "{conductance_housing_ambient: 0.4 W/K, conductance_stator_housing: 1.5 W/K, "
+      "stator_heat_capacity: 40 J/K, housing_heat_capacity: 80 J/K}";
+  const Run run(one.file(csv));
+  CHECK(run.answer.outcome == "fitted");
+  // A course is followed to 1e-7 of its rises at least, times the condition of the columns, below 1e3.
+  REQUIRE(run.result().estimates.size() == sought.size());
+  for (std::size_t j = 0; j < sought.size(); ++j)
+    CHECK(run.result().estimates[j].parameter.value == Approx(get(truth, sought[j])).epsilon(1e-4));
+}
+
 TEST_CASE("both solvers of a fit end at one place, for data of every kind",
           "[studies][calibrate][consistency]") {
   if (!optim::least_squares_solvers().back().available) return;  // a build without GSL
