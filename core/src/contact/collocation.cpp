@@ -23,7 +23,7 @@ std::pair<double, double> radau_polynomial(double x) {
 }
 
 // The zero near x, other than 1.
-double polished(double x) {
+double refined(double x) {
   for (int i = 0; i < 8; ++i) {
     const auto [f, slope] = radau_polynomial(x);
     x -= f / slope;
@@ -47,7 +47,7 @@ Collocation::Row lagrange(const Collocation::Row& c, std::size_t k) {
 }  // namespace
 
 Collocation::Collocation() {
-  place = {polished(0.057), polished(0.277), polished(0.584), polished(0.860), 1.0};
+  place = {refined(0.057), refined(0.277), refined(0.584), refined(0.860), 1.0};
   for (std::size_t k = 0; k < kPoints; ++k) {
     const Row poly = lagrange(place, k);
     for (std::size_t i = 0; i < kPoints; ++i) {

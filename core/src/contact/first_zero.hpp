@@ -84,7 +84,7 @@ inline double zero_free_step(const CurveSample& c, StartOrder order) {
 /// Length over which f is sure to fall through zero once, and monotonically: a little past the zero of
 /// its parabola (E3.5). 0 if that cannot be told.
 template <typename S>
-S zero_bracket(const SampleOf<S>& c) {
+inline S zero_bracket(const SampleOf<S>& c) {
   using std::max, std::sqrt;
   const S t = 1.1 * 2.0 * c.f / (sqrt(S(c.f1 * c.f1 - 2.0 * c.f2 * c.f)) - c.f1);
   const auto falls = c.f1 < 0.0 && c.f1 + max(c.f2, S(0.0)) * t + c.l3 * t * t / 2.0 < 0.0;

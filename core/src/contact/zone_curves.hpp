@@ -234,7 +234,8 @@ class SlipTerms {
     return sqrt(S(slow.kw * slow.kw + slow.ks * slow.ks));
   }
 
-  Own own_motion(const S& x) const {
+  // A march asks for it at each step.
+  [[gnu::always_inline]] Own own_motion(const S& x) const {
     using std::exp;
     switch (layer_.kind()) {
       case LayerKind::oscillating: return oscillation(layer_.at(motion_, x));

@@ -72,8 +72,9 @@ SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<L>& layer, c
 
 /// Integrals over a slip zone.
 template <typename S, typename Sign>
-ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, const Sign& sigma, const Moments<S>& m,
-                               const Phase<S>& from, const Phase<S>& to, const SlipWork<S>& work) {
+inline ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, const Sign& sigma,
+                                      const Moments<S>& m, const Phase<S>& from, const Phase<S>& to,
+                                      const SlipWork<S>& work) {
   const S c = 1.0 - n.peak;
   const S p = n.peak * m.one - (m.one - m.c), pc = m.cc - c * m.c;
   const S ps = m.s * (n.peak - 0.5 * (from.at.versine + to.at.versine));
@@ -88,8 +89,9 @@ ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, const Sign& sigma, co
 
 /// Integrals over a stick zone with traction t = k0 + kb theta + kw (1 - cos theta) + ks sin theta.
 template <typename S, typename L>
-ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<L>& layer,
-                                const Harmonic<S>& t, const Phase<S>& from, const Phase<S>& to) {
+inline ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<L>& layer,
+                                       const Harmonic<S>& t, const Phase<S>& from,
+                                       const Phase<S>& to) {
   const Moments<S> m(from, to);
   const S theta = 0.5 * (to.theta * to.theta - from.theta * from.theta);
   const S theta_c = to.theta * to.at.sin - from.theta * from.at.sin - m.s;

@@ -61,10 +61,10 @@ inline bool has_resonance(const MotorDesign& design) {
   return design.stator.geometry || design.stator.resonance_frequency;
 }
 
-/// Computes the alternatives that follow from the parameters in use.
+/// Sets the alternatives that follow from the parameters in use.
 /// @param given  says which are in use
 template <typename S>
-ParameterArray<S> with_alternatives(const MotorDesign& given, ParameterArray<S> p) {
+void set_alternatives(const MotorDesign& given, ParameterArray<S>& p) {
   using P = Parameter;
   const auto at = [&p](P parameter) -> S& { return p[index_of(parameter)]; };
   if (in_use(given, P::frequency_ratio)) {
@@ -95,15 +95,14 @@ ParameterArray<S> with_alternatives(const MotorDesign& given, ParameterArray<S> 
   } else {
     at(P::inertia) = inertia_of(at(P::density), h);
   }
-  if (!given.thermal) return p;
+  if (!given.thermal) return;
   if (!given.thermal->reference) at(P::reference_temperature) = at(P::ambient_temperature);
   if (!given.thermal->conductances.lining && given.layer.conductivity && !given.thermal->one_node)
     at(P::conductance_lining) =
         lining_conductance_of(at(P::conductivity), at(P::contact_radius), at(P::contact_width), h);
-  return p;
 }
 
-/// True if with_alternatives() reads it.
+/// True if set_alternatives() reads it.
 constexpr bool leads_alternatives(Parameter parameter) {
   using P = Parameter;
   switch (parameter) {

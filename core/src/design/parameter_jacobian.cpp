@@ -8,7 +8,7 @@
 
 #include <twum/base/dual.hpp>
 
-#include <optional>
+#include <memory>
 
 namespace twum {
 namespace {
@@ -27,8 +27,9 @@ std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
   for (std::size_t i = 0; i < kParameterCount; ++i)
     still[i] = Moving(get(design, static_cast<Parameter>(i)));
   using PlateSlopes = std::array<std::array<double, kParameterCount>, kPlateNumbers>;
-  std::optional<PlateSlopes> plate;
-  if (design.stator.geometry) plate = plate_jacobian(design);
+  const auto plate = design.stator.geometry
+                         ? std::make_unique<const PlateSlopes>(plate_jacobian(design))
+                         : nullptr;
   std::vector<ParameterSlope> slopes;
   slopes.reserve(2 * kParameterCount);  // enough without a geometry
   for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
@@ -45,7 +46,7 @@ std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
       if (const auto number = plate_number_of(static_cast<Parameter>(i)))
         values[i].d[0] = (*plate)[index_of(*number)][moved];
     if (of_warm_plate) values[moved].d[0] = 1;
-    values = with_alternatives(design, values);
+    set_alternatives(design, values);
     if (plate) add_stator_heat(design, values);
     for (std::size_t i = 0; i < kParameterCount; ++i)
       if (values[i].d[0] != 0) slopes.push_back({i, moved, values[i].d[0]});

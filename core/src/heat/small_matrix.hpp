@@ -75,7 +75,7 @@ inline Eigenvalues eigenvalues(const Matrix3& a) {
   const double minors = a[0][0] * a[1][1] - a[0][1] * a[1][0] + a[0][0] * a[2][2] -
                         a[0][2] * a[2][0] + a[1][1] * a[2][2] - a[1][2] * a[2][1];
   const double det = determinant(a);
-  const auto polished = [&](double x) {
+  const auto refined = [&](double x) {
     for (int i = 0; i < 2; ++i) {
       const double slope = (3 * x - 2 * trace) * x + minors;
       const double step = (((x - trace) * x + minors) * x - det) / slope;
@@ -89,14 +89,14 @@ inline Eigenvalues eigenvalues(const Matrix3& a) {
     const double angle = std::acos(std::clamp(r / std::sqrt(q * q * q), -1.0, 1.0));
     Eigenvalues found{};
     for (std::size_t k = 0; k < 3; ++k)
-      found.real[k] = polished(
+      found.real[k] = refined(
           third -
           2 * std::sqrt(q) * std::cos((angle + 2 * std::numbers::pi * static_cast<double>(k)) / 3));
     return found;
   }
   const double s = -std::copysign(std::cbrt(std::fabs(r) + std::sqrt(r * r - q * q * q)), r);
   const double t = s == 0 ? 0 : q / s;
-  return {{polished(third + s + t), third - (s + t) / 2, third - (s + t) / 2},
+  return {{refined(third + s + t), third - (s + t) / 2, third - (s + t) / 2},
           std::sqrt(3.0) / 2 * std::fabs(s - t)};
 }
 

@@ -129,17 +129,17 @@ HeatCourse::Moment HeatCourse::top_between(std::size_t phase, const HeatState& a
 
 HeatCourse::Moment HeatCourse::peak(const Lap& lap, std::size_t part) const {
   Moment best{0, 0, lap.front().front()};
-  const auto offer = [&](const Moment& one) {
+  const auto keep_if_hotter = [&](const Moment& one) {
     if (temperature(one, part) > temperature(best, part)) best = one;
   };
   for (std::size_t i = 0; i < lap.size(); ++i)
     for (std::size_t k = 0; k < lap[i].size(); ++k) {
-      offer({i, lap[i][k].time, lap[i][k]});
+      keep_if_hotter({i, lap[i][k].time, lap[i][k]});
       const auto rate = [&](std::size_t at) {
         return phases_[i].solver.part_rates(lap[i][at])[part];
       };
       if (k > 0 && rate(k - 1) > 0 && rate(k) < 0)
-        offer(top_between(i, lap[i][k - 1], lap[i][k], part));
+        keep_if_hotter(top_between(i, lap[i][k - 1], lap[i][k], part));
     }
   return best;
 }

@@ -99,7 +99,7 @@ Eigen::MatrixXd chosen(const Eigen::MatrixXd& columns, std::size_t subset) {
   return picked;
 }
 
-Eigen::MatrixXd beside(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd both(a.rows(), a.cols() + b.cols());
   both.leftCols(a.cols()) = a;
   both.rightCols(b.cols()) = b;
@@ -210,14 +210,14 @@ ConeCurvature cone_curvature(const Eigen::MatrixXd& hessian, const Strength& lim
       wide.values.size() > 0 ? wide.values[0] : std::numeric_limits<double>::quiet_NaN();
   set_flat(cone, wide, zero);
   if (wide.values.size() == 0 || wide.values[0] >= -zero) return cone;
-  const Spectrum narrow = spectrum(hessian, beside(limits.strong, limits.weak));
+  const Spectrum narrow = spectrum(hessian, side_by_side(limits.strong, limits.weak));
   cone.smallest = 0.0;
   set_flat(cone, narrow, zero);
   cone.decided = limits.weak.cols() <= kMostWeak;
   const Index faces = Index{1} << std::min(limits.weak.cols(), kMostWeak);
   for (Index face = 0; face < faces; ++face) {
     const auto met = chosen(limits.weak, static_cast<std::size_t>(face));
-    look_at_face(cone, spectrum(hessian, beside(limits.strong, met)), limits.weak, zero);
+    look_at_face(cone, spectrum(hessian, side_by_side(limits.strong, met)), limits.weak, zero);
   }
   look_at_face(cone, narrow, limits.weak, zero);
   return cone;

@@ -13,12 +13,13 @@ namespace {
 
 // Largest step in parts of a range. A simple fold then has a relative singular value of about a thousandth of its usual one,
 // far above the tolerance of the rank, 1e-10; rounding errors stay far below it.
-constexpr double kBeside = 4e-3;
+constexpr double kNeighbourStep = 4e-3;
 
 // The value beside that of the fit; parameters differ in their steps, so that no product or ratio of two stays.
-double beside(const Variable& v, const Estimate& e, std::size_t number, double sign) {
+double neighbour_value(const Variable& v, const Estimate& e, std::size_t number, double sign) {
   if (e.at_bound || v.lower == v.upper) return e.value;
-  const double part = sign * kBeside * (0.5 + 0.5 * std::fmod(0.618034 * double(number + 1), 1.0));
+  const double part =
+      sign * kNeighbourStep * (0.5 + 0.5 * std::fmod(0.618034 * double(number + 1), 1.0));
   if (v.scale == Scale::log)
     return std::clamp(e.value * std::exp(part * std::log(v.upper / v.lower)), v.lower, v.upper);
   const double range = v.upper - v.lower;
@@ -43,7 +44,7 @@ std::vector<std::vector<std::string>> lost_rank(const std::vector<Variable>& par
     if (rank == free.size()) break;
     std::vector<double> b;
     for (std::size_t j = 0; j < fit.estimates.size(); ++j)
-      b.push_back(beside(parameters[j], fit.estimates[j], j, sign));
+      b.push_back(neighbour_value(parameters[j], fit.estimates[j], j, sign));
     Residuals there;
     try {
       there = residuals(b);

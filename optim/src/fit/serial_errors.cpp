@@ -103,7 +103,7 @@ class MixedTail {
 
   double deviation(std::size_t k) const { return list_[k].scatter * list_[k].widening[parameter_]; }
 
-  double beyond(double h) const {
+  double tail_above(double h) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < list_.size(); ++k)
       sum += weights_[k] * student_tails(freedom_, h / deviation(k));
@@ -113,10 +113,10 @@ class MixedTail {
   // By bisection, to 1e-9 of it; the tail falls with h.
   double half_width(double tail) const {
     double low = 0.0, high = deviation(0);
-    while (beyond(high) > tail) high *= 2.0;
+    while (tail_above(high) > tail) high *= 2.0;
     for (int step = 0; step < 40; ++step) {
       const double middle = 0.5 * (low + high);
-      (beyond(middle) > tail ? low : high) = middle;
+      (tail_above(middle) > tail ? low : high) = middle;
     }
     return high;
   }

@@ -2,6 +2,7 @@
 #include <twum/optim/solve.hpp>
 
 #include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/scan.hpp>
 
 #include "search/causes.hpp"
 #include "search/infeasibility.hpp"
@@ -210,10 +211,40 @@ class ContinuousSolve {
     if (best_.best) from.insert(from.begin(), best_.design);
     std::vector<std::vector<double>> scaled;
     for (const auto& design : from) scaled.push_back(runner_.scaling().to_unit(design));
-    const auto found = elastic_search(runner_, scaled);
+    auto found = elastic_search(runner_, scaled);
+    if (!found || found->excess > 0.0) {  // the starts may lie in a valley of the violations
+      auto other = elastic_search(runner_, least_infeasible_samples());
+      if (other && (!found || other->f < found->f)) found = std::move(other);
+    }
     if (!found) return;
     least_infeasible_ = found->z;
     if (!runner_.exhausted()) go_on_from(runner_.scaling().to_design(found->z));
+  }
+
+  // Of a sample of the whole range, the designs that violate the limits least, in the unit box.
+  std::vector<std::vector<double>> least_infeasible_samples() {
+    constexpr std::size_t kKept = 3;
+    std::vector<std::pair<double, std::vector<double>>> seen;
+    SolverRun look;
+    look.session = std::make_unique<Session>(runner_.problem(), options_, runner_.deadline(),
+                                             runner_.take_stage(), runner_.left());
+    try {
+      for (const auto& part :
+           sobol_points(runner_.problem().variables.size(), options_.scan, options_.seed + 2)) {
+        const std::vector<double> design = design_at(runner_.problem(), part);
+        const Evaluation& evaluation = look.session->at(design, false);
+        if (evaluation.ok())
+          seen.emplace_back(runner_.excess(evaluation.values), runner_.scaling().to_unit(design));
+      }
+    } catch (const Stop& stop) {
+      look.report.stop = stop.reason;
+    }
+    runner_.book(look);
+    const auto kept = std::min(kKept, seen.size());
+    std::partial_sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(kept), seen.end());
+    std::vector<std::vector<double>> units;
+    for (std::size_t i = 0; i < kept; ++i) units.push_back(std::move(seen[i].second));
+    return units;
   }
 
   // True if a search from there knows a feasible design.

@@ -36,7 +36,7 @@ struct SolveOptions {
   /// Most local searches of auto: the first from the start design, the others from a low-discrepancy sequence. With 1,
   /// the first certified design ends the search. More than half of them are enough if all come to one optimum.
   std::size_t starts{8};
-  /// number of designs that look_further() samples; solve() does not use it
+  /// number of designs that look_further() samples; solve() samples as many where no search from a start keeps all limits
   std::size_t scan{512};
   double tolerance{1e-6};  ///< stationarity at which the certificate passes (O3.2)
   /// A limit is kept if it is broken by at most this part of the larger of the limit and the magnitude of its terms at
