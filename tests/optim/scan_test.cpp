@@ -184,3 +184,44 @@ TEST_CASE("whole numbers have equal parts of the sample, scales are kept", "[opt
   }
   CHECK(std::abs(below - 256) <= 1);
 }
+
+namespace {
+
+// (x^2 - 4)^2 / 16 + x / 4 has two valleys, which end where x^3 - 4 x + 1 = 0.
+Problem violated_in_two_valleys(double most) {
+  Problem p;
+  p.variables = test::box(1, -4.0, 4.0, {2.5});
+  p.objectives = {{"f", Sense::minimize}};
+  p.constraints = {{"c", -kInfinity, most}};
+  p.evaluate = test::dual_evaluator<2>(2, [](const D* x, D* r) {
+    const D t = x[0] * x[0] - 4.0;
+    r[0] = (x[0] - 3.0) * (x[0] - 3.0);
+    r[1] = t * t / 16.0 + x[0] / 4.0;
+  });
+  return p;
+}
+
+double lowest() {
+  double x = -2.1;
+  for (int i = 0; i < 20; ++i) x -= (x * x * x - 4 * x + 1) / (3 * x * x - 4);
+  return (x * x - 4) * (x * x - 4) / 16 + x / 4;
+}
+
+}  // namespace
+
+TEST_CASE("a feasible valley far from the only start is found", "[optim][scan]") {
+  const Result result = solve(violated_in_two_valleys(-0.4), local_search());
+  REQUIRE(result.outcome == Outcome::optimal);
+  // The right end of the valley, towards the goal.
+  CHECK(result.design[0] < -1.5);
+  CHECK(result.evaluation.values[1] == Approx(-0.4).epsilon(1e-8));
+}
+
+TEST_CASE("without a feasible design the least violation is that of the lower valley",
+          "[optim][scan][infeasible]") {
+  const Result result = solve(violated_in_two_valleys(-1), local_search());
+  REQUIRE(result.outcome == Outcome::infeasible);
+  REQUIRE(result.infeasibility.relaxations.size() == 1);
+  // The search ends where the slope is below 1e-6 of its scale, the value to the square of that.
+  CHECK(result.infeasibility.relaxations[0].amount == Approx(lowest() + 1).epsilon(1e-7));
+}
