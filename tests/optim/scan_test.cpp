@@ -225,3 +225,24 @@ TEST_CASE("without a feasible design the least violation is that of the lower va
   // The search ends where the slope is below 1e-6 of its scale, the value to the square of that.
   CHECK(result.infeasibility.relaxations[0].amount == Approx(lowest() + 1).epsilon(1e-7));
 }
+
+TEST_CASE("a valley without a sample below the answer is found from its slope", "[optim][scan]") {
+  // A hollow at 0.9, above the other valley but for a needle in its lowest place that no sample meets.
+  Problem p;
+  p.variables = test::box(1, 0.0, 1.0, {0.15});
+  p.objectives = {{"f", Sense::minimize}};
+  p.evaluate = test::dual_evaluator<2>(1, [](const D* x, D* r) {
+    const D hollow = (x[0] - 0.90258) / 0.03, needle = (x[0] - 0.901) / 0.0008;
+    r[0] = 1.0 + (x[0] - 0.2) * (x[0] - 0.2) - 0.4 * exp(-1.0 * hollow * hollow) -
+           0.12 * exp(-1.0 * needle * needle);
+  });
+  SolveOptions options;
+  options.starts = 3;  // none of them is near
+  const Result first = solve(p, options);
+  REQUIRE(first.evaluation.values[0] == Approx(1).epsilon(1e-4));
+  const Result result = look_further(p, options, first);
+  CHECK(result.scan.better == 0);
+  CHECK(result.scan.replaced);
+  CHECK(result.design[0] == Approx(0.901).margin(1e-4));
+  CHECK(result.outcome == Outcome::optimal);
+}

@@ -7,13 +7,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace twum::optim {
 namespace {
 
+// Searches from samples above the answer: a narrow valley may have none below it.
+constexpr std::size_t kStarts = 4;
 // relative to the objective; larger than the tolerance of a search
 constexpr double kClearly = 1e-6;
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double square = 0.0;
+  for (std::size_t j = 0; j < a.size(); ++j) square += (a[j] - b[j]) * (a[j] - b[j]);
+  return std::sqrt(square);
+}
+
+// The place of a design in the unit box.
+std::vector<double> unit_of(const Problem& problem, const std::vector<double>& design) {
+  std::vector<double> unit;
+  for (std::size_t j = 0; j < design.size(); ++j) {
+    const Variable& v = problem.variables[j];
+    const bool log = v.scale == Scale::log;
+    const double part = log ? std::log(design[j] / v.lower) : design[j] - v.lower;
+    const double whole = log ? std::log(v.upper / v.lower) : v.upper - v.lower;
+    unit.push_back(whole > 0 ? part / whole : 0.0);
+  }
+  return unit;
+}
 
 class FurtherLook {
  public:
@@ -26,16 +49,23 @@ class FurtherLook {
       return std::move(found_);
     before_ = objective(found_.evaluation);
     found_.scan.before = found_.evaluation.values.front();
+    // One search was enough if the starts agreed with a convex problem, or one start was asked for.
+    const bool several = options_.starts > 1 && found_.stages.size() > 1;
     sample();
-    if (best_) follow();
+    const bool better = found_.scan.better > 0;
+    if (better || several)
+      for (const Sample& start : starts()) {
+        follow(start);
+        if (better && found_.scan.replaced) break;
+      }
     // A better design is known, so this one is not an optimum.
-    if (best_ && !found_.scan.replaced) found_.outcome = Outcome::feasible;
+    if (better && !found_.scan.replaced) found_.outcome = Outcome::feasible;
     return std::move(found_);
   }
 
  private:
   struct Sample {
-    std::vector<double> design;
+    std::vector<double> unit, design;
     double objective;
   };
 
@@ -67,7 +97,7 @@ class FurtherLook {
       // Other seeds are those of the starts and of the first design that can be evaluated.
       for (const auto& unit : sobol_points(problem_.variables.size(),
                                            std::min(options_.scan, left()), options_.seed + 2))
-        look_at(session, design_at(problem_, unit));
+        look_at(session, unit);
     } catch (const Stop& stop) {
       found_.stop = stop.reason;
     }
@@ -75,25 +105,53 @@ class FurtherLook {
     found_.seconds += deadline.elapsed();
   }
 
-  void look_at(Session& session, std::vector<double> design) {
+  void look_at(Session& session, std::vector<double> unit) {
+    std::vector<double> design = design_at(problem_, unit);
     const Evaluation& evaluation = session.at(design, false);
     Scan& scan = found_.scan;
     ++scan.designs;
     if (!evaluation.ok() || !feasible(evaluation)) return;
     ++scan.feasible;
     const double value = objective(evaluation);
-    if (!(value < before_ - kClearly * std::abs(before_))) return;
-    ++scan.better;
-    if (!best_ || value < best_->objective) best_ = Sample{std::move(design), value};
+    if (clearly_better(value)) ++scan.better;
+    seen_.push_back({std::move(unit), std::move(design), value});
   }
 
-  // A search from the best sample; its answer is at least as good as that design, which it has seen.
-  void follow() {
+  // The best samples without a better one, or the answer, within the critical distance: each may lie in a valley of its own.
+  std::vector<Sample> starts() {
+    const double critical = critical_distance();
+    const std::vector<double> answer = unit_of(problem_, found_.design);
+    std::ranges::sort(seen_, {}, &Sample::objective);
+    std::vector<Sample> kept;
+    for (std::size_t i = 0; i < seen_.size() && kept.size() < kStarts; ++i) {
+      const auto near = [&](const std::vector<double>& other) {
+        return distance(seen_[i].unit, other) < critical;
+      };
+      const bool below_answer = clearly_better(seen_[i].objective);
+      const auto better = std::span(seen_).first(i);
+      if ((below_answer || !near(answer)) && std::ranges::none_of(better, near, &Sample::unit))
+        kept.push_back(seen_[i]);
+    }
+    return kept;
+  }
+
+  // Rinnooy Kan and Timmer (1987), multi level single linkage, equation (11) with sigma = 4, in the unit box.
+  double critical_distance() const {
+    const double dimension = static_cast<double>(problem_.variables.size());
+    const double count = static_cast<double>(std::max<std::size_t>(seen_.size(), 2));
+    const double volume = std::tgamma(1 + dimension / 2) * 4 * std::log(count) / count;
+    return std::pow(volume, 1 / dimension) / std::sqrt(std::numbers::pi);
+  }
+
+  bool clearly_better(double value) const { return value < before_ - kClearly * std::abs(before_); }
+
+  // A search from a sample; its answer is at least as good as that design, which it has seen.
+  void follow(const Sample& start) {
     if (left() == 0 || found_.stop != StopReason::finished) return;
     Problem there = problem_;
     for (std::size_t j = 0; j < there.variables.size(); ++j) {
       Variable& variable = there.variables[j];
-      variable.start = best_->design[j];
+      variable.start = start.design[j];
       if (variable.integer) variable.lower = variable.upper = variable.start;
     }
     SolveOptions options = options_;
@@ -109,7 +167,7 @@ class FurtherLook {
     const bool usable = better.outcome == Outcome::optimal || better.outcome == Outcome::feasible ||
                         better.outcome == Outcome::budget;
     const bool beats = usable && !better.evaluation.values.empty() && feasible_of(better) &&
-                       objective(better.evaluation) < before_;
+                       clearly_better(objective(better.evaluation));
     better.counters.add(found_.counters);
     better.stages.insert(better.stages.begin(), found_.stages.begin(), found_.stages.end());
     better.stages_used += found_.stages_used;
@@ -124,6 +182,7 @@ class FurtherLook {
     better.scan = found_.scan;
     better.scan.replaced = true;
     found_ = std::move(better);
+    before_ = objective(found_.evaluation);
   }
 
   bool feasible_of(const Result& result) const {
@@ -134,7 +193,7 @@ class FurtherLook {
   const SolveOptions& options_;
   Result found_;
   double before_{kInfinity};
-  std::optional<Sample> best_;
+  std::vector<Sample> seen_;  // those that keep every limit
 };
 
 double at_unit(const Variable& v, double u) {
