@@ -34,7 +34,7 @@ double least_depth(const State& state) {
 template <typename ValueOf>
 Chart over_radius(const LifeResult::FreeTrack& track, const std::string& name, Phrase title,
                   const std::string& quantity, const std::string& unit, ValueOf value_of) {
-  Chart chart{name, std::move(title), {{"radius"}, "mm", true}, {{quantity}, unit, true}};
+  Chart chart{name, std::move(title), {{"radius"}, "mm"}, {{quantity}, unit, true}};
   std::size_t colour = 0;
   for (const Named& one : states_of(track)) {
     Series series{one.name, Stroke::line, {}, {}, colour_of(colour++)};

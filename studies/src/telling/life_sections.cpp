@@ -164,7 +164,7 @@ Section over_track(const Worn& motor) {
                    "uneven."}};
   Chart chart{"wear-profile",
               {"rate of wear over the radius"},
-              {{"radius"}, "mm", true},
+              {{"radius"}, "mm"},
               {{"rate of wear"}, "nm/h", true}};
   chart.series = {over_radius("new", motor.profile_new, 0),
                   over_radius("worn", motor.profile_worn, 1)};
@@ -181,10 +181,8 @@ Section after_run_in(const WornIn& state, double preload) {
         "at ",
         value_part(state.speed, "rad/s"), " under ", value_part(state.torque, "N.m"), "."}}};
   Table table{"worn-in", {{"radius"}, {"share of the preload"}, {"worn by run-in"}}, {}};
-  Chart chart{"run-in-profile",
-              {"depth worn by run-in"},
-              {{"radius"}, "mm", true},
-              {{"depth"}, "nm", true}};
+  Chart chart{
+      "run-in-profile", {"depth worn by run-in"}, {{"radius"}, "mm"}, {{"depth"}, "nm", true}};
   Series series{"", Stroke::line, {}, {}, colour_of(0)};
   for (const WornInSlice& slice : state.slices) {
     table.rows.push_back({{value_part(slice.radius, "m", 4)},
