@@ -126,6 +126,22 @@ TEST_CASE("rates on the way are those of the worn motors by themselves",
   }
 }
 
+TEST_CASE("times on the way are the lives to the depths there (V2.3)", "[core][wear][identity]") {
+  MotorDesign design = wearing(driven_with_slices(GENERATE(8, kAutoSlices)), 1e5);
+  const LoadPoint load = torque_load(0.5);
+  std::vector<double> depths;
+  for (int i = 0; i <= 20; ++i) depths.push_back(100e-6 * i / 20);
+  const auto course = wear_course(design, load, depths);
+  for (const std::size_t i : {1, 7, 20}) {
+    design.wear->depth_limit = depths[i];
+    const Life there = life(design, load);
+    CAPTURE(i);
+    // the polynomial through 21 rates leaves 1e-8 of the whole, a twentieth of which is the first
+    CHECK(std::fabs(course[i].seconds / there.seconds - 1) <= 1e-7);
+    CHECK(std::fabs(course[i].revolutions / there.revolutions - 1) <= 1e-7);
+  }
+}
+
 TEST_CASE("k scales the time and nothing else (C15.2)", "[core][wear][scaling]") {
   MotorDesign design = wearing(driven_with_slices(1), 1e5);
   const Life once = life(design, torque_load(0.5));
