@@ -66,6 +66,9 @@ bool is_of_motion(const MetricRequest& request) {
 
 // Lives of a track that wears freely need the integrator of motions; its rate when new does not.
 bool is_of_free_life(const MotorDesign& design, const MetricRequest& request) {
+#ifdef __wasm__  // the page has no lives
+  return false;
+#endif
   return is_wear(request) && design.wear && design.wear->profile == WearProfile::free &&
          (request.worn_at || request.metric != Metric::wear_rate_at);
 }

@@ -36,7 +36,9 @@ struct TrackRule {
   bool radial{false};  ///< the surface moves radially, too
   bool settled{
       true};  ///< more nodes would change nothing; false where `auto` has given up the search for so many
+#ifndef __wasm__                            // see worn_track()
   std::shared_ptr<const WornTrack> worn{};  ///< null: the track is even
+#endif
 };
 
 /// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
@@ -97,12 +99,19 @@ double worn_beyond_mean(const MotorModel<S>& m, const R& radius) {
 }
 
 /// h of the layer at a radius (V3.1) [m].
+#ifdef __wasm__
+template <typename S, typename R>
+const S& thickness_at(const MotorModel<S>& m, const R& /*radius*/) {
+  return m.thickness;
+}
+#else
 template <typename S, typename R>
 S thickness_at(const MotorModel<S>& m, const R& radius) {
   const WornTrack* worn = worn_track(m);
   if (!worn) return m.thickness;
   return m.thickness - worn->thickness_share * worn_beyond_mean(m, radius);
 }
+#endif
 
 /// mu_0 > mu: released at once, the traction jumps.
 template <typename S>

@@ -223,7 +223,7 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   s.amplitude = m.mean.amplitude * s.shape;
   s.crest_velocity = m.tilt * m.r / radius * s.amplitude * m.omega;
   const S depth = m.indentation + crest_rise(m, radius);
-  const S thickness = thickness_at(m, radius);
+  const auto& thickness = thickness_at(m, radius);
   const EdgedContact<S> c = value_of(m.mean.amplitude) == 0
                                 ? flat_contact(m, depth, thickness)
                                 : contact_of(m, S(m.n / radius), s.amplitude, depth, thickness);

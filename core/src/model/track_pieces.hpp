@@ -113,8 +113,8 @@ class Track {
     const auto add = [&](const R& radius, const R& width) {
       const R excess = shape_excess(m_, radius);
       const R amplitude = m_.mean.amplitude * (1.0 + excess);
-      const R crest = indentation + m_.mean.amplitude * excess - (radius - m_.r) * m_.slope -
-                      worn_beyond_mean(m_, radius);
+      R crest = indentation + m_.mean.amplitude * excess - (radius - m_.r) * m_.slope;
+      if (worn_track(m_)) crest = crest - worn_beyond_mean(m_, radius);
       force += 2.0 * radius * width * (m_.youngs / thickness_at(m_, radius)) * amplitude *
                contact::crest_contact(R(crest / amplitude)).load;
     };
@@ -132,8 +132,9 @@ class Track {
     const auto add = [&](double radius, double width) {
       const double excess = shape_excess(values_, radius);
       const double amplitude = values_.mean.amplitude * (1 + excess);
-      const double crest = indentation + values_.mean.amplitude * excess -
-                           (radius - values_.r) * values_.slope - worn_beyond_mean(values_, radius);
+      double crest =
+          indentation + values_.mean.amplitude * excess - (radius - values_.r) * values_.slope;
+      if (worn_track(values_)) crest -= worn_beyond_mean(values_, radius);
       const contact::CrestContact<double> at = contact::crest_contact(crest / amplitude);
       const double stiffness = 2 * radius * width * values_.youngs / thickness_at(values_, radius);
       sum.force += stiffness * amplitude * at.load;

@@ -125,6 +125,7 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
   return summed(m, speed, chained_means<S>);
 }
 
+#ifndef __wasm__  // of worn tracks
 std::vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(
     const DrivenMotor<ModelDual>& m, const ModelDual& speed) const {
   std::vector<PointNumbers<ModelDual>> numbers;
@@ -142,6 +143,7 @@ std::vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(
   }
   return numbers;
 }
+#endif
 
 PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
                                                      const MotionDual& speed) const {

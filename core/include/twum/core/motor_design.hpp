@@ -290,9 +290,11 @@ struct Wear {
   /// E_lining, where modulus and thickness of the layer also stand for a flange [Pa]; else that of the layer
   std::optional<double> lining_youngs_modulus{};
   WearProfile profile{WearProfile::even};  ///< what a life of the motor takes
+#ifndef __wasm__  // the page takes all tracks as even, which keeps it small
   /// Depth that is worn off at each node of the track, less the mean over its area (V3.1) [m]: at those of Gauss' rule over the whole
   /// width, from the inner edge on. Empty: the track is even. As worn_motor() gives it.
   std::vector<double> deviations{};
+#endif
   /// True if all members are equal.
   bool operator==(const Wear&) const = default;
 };
