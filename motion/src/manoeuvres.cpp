@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motion/manoeuvres.hpp>
 
+#include "free_life_metrics.hpp"
 #include "manoeuvre_runs.hpp"
 #include "plant_metrics.hpp"
 #include "without_value.hpp"
@@ -87,7 +88,7 @@ class Kept {
 class Answers final : public MotionMetrics {
  public:
   Answers(const MotorDesign& design, std::vector<Parameter> wanted)
-      : design_(design), wanted_(std::move(wanted)) {}
+      : design_(design), wanted_(std::move(wanted)), lives_(design) {}
 
   MetricValue evaluate(const MetricRequest& request) override {
     return answered([&] { return number(request); });
@@ -96,8 +97,8 @@ class Answers final : public MotionMetrics {
   MetricDerivative differentiate(const MetricRequest& request, bool fixed) override {
     MetricDerivative found{evaluate(request), {}, Smoothness::undefined};
     found.gradient.fill(kNoValue);
-    if (found.value.status != MetricStatus::ok || request.metric == M::dynamic_start_voltage)
-      return found;
+    const bool exact = request.metric != M::dynamic_start_voltage && !is_of_life(request);
+    if (found.value.status != MetricStatus::ok || !exact) return found;
     const auto gradient = [&] {
       return is_of_plant(request.metric) ? plant_gradient(design_, request)
                                          : gradient_of_runs(request, fixed);
@@ -134,6 +135,7 @@ class Answers final : public MotionMetrics {
   }
 
   double number(const MetricRequest& request) {
+    if (is_of_life(request)) return lives_.number(request);
     if (!has_meaning(request)) throw WithoutValue{MetricStatus::undefined};
     if (is_of_plant(request.metric)) return plant_number(design_, request);
     if (request.metric == M::dynamic_start_voltage) return dynamic_start_voltage(design_);
@@ -177,6 +179,7 @@ class Answers final : public MotionMetrics {
   std::optional<ModelSlopes> slopes_;
   bool fixed_{false};
   Kept plain_, moving_;
+  FreeLives lives_;
 };
 
 }  // namespace

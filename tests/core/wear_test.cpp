@@ -12,6 +12,7 @@
 #include "support/heat_motors.hpp"
 #include "support/metric_requests.hpp"
 #include "support/test_motors.hpp"
+#include "support/wearing_motors.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -24,25 +25,7 @@ using namespace twum::test;
 
 namespace {
 
-constexpr double kUnit = 1e-9;  // mm^3/(N m) in m^2/N
 constexpr double kHour = 3600;
-
-MotorDesign wearing(MotorDesign design, double spring = 0, double k = 1e-6) {
-  Wear& wear = design.wear.emplace();
-  wear.specific_wear = k * kUnit;
-  wear.depth_limit = 100e-6;
-  wear.preload_spring = spring;
-  return design;
-}
-
-MotorDesign driven_with_slices(int slices) {
-  MotorDesign design = warm_motor();
-  design.thermal.reset();
-  design.stator.radial_slices = slices;
-  return design;
-}
-
-LoadPoint torque_load(double torque) { return {Argument::torque, torque, 0}; }
 
 }  // namespace
 
@@ -55,7 +38,7 @@ TEST_CASE("the rate is that of Archard's law with the friction power (V1.1, V2.1
   const double area =
       2 * std::numbers::pi * design.stator.contact_radius * design.stator.contact_width;
   const double expected =
-      1e-6 * kUnit / design.friction.kinetic * value(Metric::friction_power_at) / area;
+      1e-6 * kWearUnit / design.friction.kinetic * value(Metric::friction_power_at) / area;
   // the same quotient in another order: a few roundings
   CHECK(std::fabs(value(Metric::wear_rate_at) - expected) <= 1e-14 * expected);
 }
@@ -92,7 +75,7 @@ TEST_CASE("depths over time at a speed are those of a second program (V2.2, V2.3
     MotorDesign design = wearing(elastic(ring_motor()), row["spring_N_per_m"], 0);
     // s chi of 0: the stator wears; of 1: the lining
     (row["s_times_chi"] == 0 ? design.wear->stator_specific_wear : *design.wear->specific_wear) =
-        row["k_mm3_per_Nm"] * kUnit;
+        row["k_mm3_per_Nm"] * kWearUnit;
     const double depth = row["depth_um"] * 1e-6;
     std::vector<double> depths;
     for (int i = 0; i <= 20; ++i) depths.push_back(depth * i / 20);
@@ -140,6 +123,22 @@ TEST_CASE("rates on the way are those of the worn motors by themselves",
     const double alone = evaluate(Motor(worn_motor(design, point.depth)), asked).value;
     // the wave is known to 1e-12 of its amplitude, and the wear moves some ten times as much
     CHECK(std::fabs(point.rate / alone - 1) <= 1e-10);
+  }
+}
+
+TEST_CASE("times on the way are the lives to the depths there (V2.3)", "[core][wear][identity]") {
+  MotorDesign design = wearing(driven_with_slices(GENERATE(8, kAutoSlices)), 1e5);
+  const LoadPoint load = torque_load(0.5);
+  std::vector<double> depths;
+  for (int i = 0; i <= 20; ++i) depths.push_back(100e-6 * i / 20);
+  const auto course = wear_course(design, load, depths);
+  for (const std::size_t i : {1, 7, 20}) {
+    design.wear->depth_limit = depths[i];
+    const Life there = life(design, load);
+    CAPTURE(i);
+    // the polynomial through 21 rates leaves 1e-8 of the whole, a twentieth of which is the first
+    CHECK(std::fabs(course[i].seconds / there.seconds - 1) <= 1e-7);
+    CHECK(std::fabs(course[i].revolutions / there.revolutions - 1) <= 1e-7);
   }
 }
 
@@ -279,7 +278,7 @@ TEST_CASE("derivatives of lives are those of solving again (V2.7)",
           "[core][wear][derivative][differential]") {
   MotorDesign design = wearing(driven_with_slices(1), 1e5);
   design.wear->lining_youngs_modulus = 3e9;
-  design.wear->stator_specific_wear = 1e-8 * kUnit;
+  design.wear->stator_specific_wear = 1e-8 * kWearUnit;
   design.friction.threshold = design.friction.kinetic;
   std::vector<MetricRequest> requests{metric_at_torque(Metric::wear_rate_at, 0.5),
                                       metric_at_torque(Metric::life_at, 0.5),
@@ -376,14 +375,6 @@ TEST_CASE("heat and wear together are those of a second program",
 }
 
 namespace {
-
-// The motor elastic-layer of the second program, which has a shear modulus of its own.
-MotorDesign elastic_layer(int slices) {
-  MotorDesign design = elastic(ring_motor());
-  design.layer.given_shear_modulus = 1.1e9;
-  design.stator.radial_slices = slices;
-  return design;
-}
 
 // A number behind a word of a case, such as "T" in "{'T': 0.8}" or "taper=" in "p=1.0 taper=0.0001".
 std::optional<double> number_after(const std::string& text, const std::string& word) {

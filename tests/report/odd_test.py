@@ -60,7 +60,7 @@ class Odd(Study):
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",
                                         "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "backward-wave-unknown", "does-not-pull-out",
                                         "torque-out-of-reach", "voltage-too-low", "amplitude-too-low", "outside-frequency-range", "thermally-unstable", "temperature-out-of-range",
-                                          "no-steady-temperature", "too-hot-at-no-load", "never-too-hot", "does-not-wear", "does-not-start", "does-not-stop"})
+                                          "no-steady-temperature", "too-hot-at-no-load", "never-too-hot", "does-not-wear", "does-not-start", "does-not-stop", "wear-localizes"})
         self.assertEqual(self.lines("[data-table=failures] td")[:2], ["no-periodic-state", meanings["no-periodic-state"]])
 
     def test_points_of_curves_are_not_counted_as_motors(self):

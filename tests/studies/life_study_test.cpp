@@ -3,6 +3,7 @@
 #include <twum/core/life.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/io/source.hpp>
+#include <twum/motion/free_life.hpp>
 #include <twum/motors/expression.hpp>
 #include <twum/motors/motor_file.hpp>
 #include <twum/studies/run_study.hpp>
@@ -197,6 +198,36 @@ TEST_CASE("a life without end is no goal, and keeps a limit", "[studies][life]")
         "optimal");
 }
 
+TEST_CASE("a life with a free profile tells each radius", "[studies][life]") {
+  MotorDesign design = worn_60();
+  design.stator.radial_slices = 8;
+  design.stator.voltage.reset();
+  design.stator.amplitude = 1.736e-6;
+  design.wear->profile = WearProfile::free;
+  const StudyResult result = lived({.torque = 0.95, .points = 11}, design);
+  REQUIRE(result.outcome == "done");
+  const LifeResult::Member& motor = life_of(result).members.at(0);
+  const motion::FreeLife right = motion::free_life(design, LoadPoint{Argument::torque, 0.95, 0});
+  CHECK(motor.life.seconds == right.last.seconds);
+  REQUIRE(motor.points.size() == 11);
+  CHECK(motor.points.front().wear.seconds == 0);
+  CHECK(motor.points.back().wear.seconds == right.last.seconds);
+  CHECK(std::fabs(motor.points.back().margins.at(0)) <= 1e-9);  // of the deepest radius
+  REQUIRE(motor.free);
+  REQUIRE(motor.free->run_in);
+  CHECK(motor.free->run_in->nodes.size() == 8);
+  CHECK(motor.free->run_in->speed < motor.free->fresh.speed);
+  CHECK(summary_text(result).find("After run-in all radii wear at one rate") != std::string::npos);
+  // At light load one radius takes over.
+  const StudyResult light = lived({.torque = 0.4, .points = 11}, design);
+  CHECK(light.outcome == "done");
+  CHECK(life_of(light).members.at(0).status == "wear-localizes");
+  CHECK(summary_text(light).find("has no life") != std::string::npos);
+  CHECK(summary_text(light).find("wears-unevenly") != std::string::npos);
+  CHECK_THROWS_WITH(lived({.torque = 0.4, .speed = 5.0}, design),
+                    Catch::Contains("wear.profile: even"));
+}
+
 TEST_CASE("wear is read from a motor file and written again", "[studies][life]") {
   const MotorFile motor = read_motor(Source(
       "worn.yaml",
@@ -212,6 +243,15 @@ TEST_CASE("wear is read from a motor file and written again", "[studies][life]")
   CHECK(wear.until[0].lower == 0.5);
   const MotorFile again = read_motor(Source("again.yaml", motor_text(motor)));
   CHECK(again.design.wear == motor.design.wear);
+  const std::string sliced = [] {
+    std::string text = motor_with(
+        "  wear: {specific_wear: 1e-6 mm^3/(N.m), depth_limit: 100 um, profile: free}\n");
+    text.replace(text.find("amplitude: 1.6 um"), 17, "amplitude: 1.6 um, radial_slices: auto");
+    return text;
+  }();
+  const MotorFile free = read_motor(Source("free.yaml", sliced));
+  CHECK(free.design.wear->profile == WearProfile::free);
+  CHECK(read_motor(Source("again.yaml", motor_text(free))).design.wear == free.design.wear);
 }
 
 TEST_CASE("a lining of the catalogue has its own specific wear", "[studies][life]") {
@@ -237,6 +277,10 @@ TEST_CASE("what is wrong with a wear block is said where it stands", "[studies][
              Catch::Contains("is about the life itself"));
   CHECK_THAT(refusal(motor_with("  wear: {until: [\"stall_torque / 2 >= 1 N.m\"]}\n")),
              Catch::Contains("is no limit of one metric"));
+  CHECK_THAT(refusal(motor_with("  wear: {depth_limit: 50 um, profile: free}\n")),
+             Catch::Contains("radial_slices") && Catch::Contains("wear.profile: free"));
+  CHECK_THAT(refusal(motor_with("  wear: {depth_limit: 50 um, profile: fre}\n")),
+             Catch::Contains("did you mean 'free'"));
 }
 
 TEST_CASE("worn() asks for a metric at the end of a life", "[studies][life]") {

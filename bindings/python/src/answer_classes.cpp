@@ -125,7 +125,7 @@ PyDerivative derivative_from(const py::object& state) {
   const auto word = [&](const char* name) { return py::cast<std::string>(state[name]); };
   MetricDerivative of;
   of.value.value = py::cast<double>(state["value"]);
-  of.value.status = from_word(word("status"), MetricStatus::does_not_stop);
+  of.value.status = from_word(word("status"), MetricStatus::wear_localizes);
   of.smoothness = from_word(word("smoothness"), Smoothness::undefined);
   for (const ParameterInfo& row : parameter_table())
     of.gradient[index_of(row.parameter)] = py::cast<double>(state["gradient"][to_py(row.name)]);

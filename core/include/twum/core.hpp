@@ -41,5 +41,6 @@
 #include <twum/core/parameters.hpp>
 #include <twum/core/plate.hpp>
 #include <twum/core/steady_heat.hpp>
+#include <twum/core/track_wear.hpp>
 #include <twum/core/worn_in.hpp>
 #include <twum/core/zone.hpp>

@@ -32,6 +32,7 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::does_not_wear: return "does-not-wear";
     case MetricStatus::does_not_start: return "does-not-start";
     case MetricStatus::does_not_stop: return "does-not-stop";
+    case MetricStatus::wear_localizes: return "wear-localizes";
   }
   return "unresolved";
 }

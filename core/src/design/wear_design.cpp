@@ -5,6 +5,24 @@ namespace twum {
 
 Wear& wear_of(MotorDesign& design) { return design.wear ? *design.wear : design.wear.emplace(); }
 
+double lining_part(const Wear& wear) {
+  const double lining = wear.specific_wear.value_or(0);
+  return lining / (lining + wear.stator_specific_wear);
+}
+
+double softness(const MotorDesign& design) {
+  const Wear& wear = *design.wear;
+  return wear.lining_youngs_modulus ? design.layer.youngs_modulus / *wear.lining_youngs_modulus : 1;
+}
+
+double thickness_share(const MotorDesign& design) {
+  return softness(design) * lining_part(*design.wear);
+}
+
+const char* to_string(WearProfile profile) noexcept {
+  return profile == WearProfile::free ? "free" : "even";
+}
+
 std::string wear_complaint(const MotorDesign& design) {
   const bool drifts = design.thermal && design.thermal->drift.specific_wear.value_or(0) != 0;
   if (!design.wear)

@@ -205,7 +205,9 @@ double DrivenWaves::full_contact_amplitude() const {
 
 double DrivenWaves::contact_stiffness() const {
   // Of an annulus pi R^2 rho / h over its width: the mean of rho is r.
-  const double track = reach_ * reach_ * std::numbers::pi * model_.r * model_.b / model_.thickness;
+  const WornTrack* worn = worn_track(model_);
+  const double thinnest = model_.thickness - (worn ? worn->thickness_share * worn->spread() : 0);
+  const double track = reach_ * reach_ * std::numbers::pi * model_.r * model_.b / thinnest;
   const double inertia = model_.inertia * omega_ * omega_, damping = model_.viscosity * omega_;
   return track *
          (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));

@@ -50,7 +50,7 @@ ContactGradients ContactDifferentiator::at(double amplitude, double speed) const
   if (point.status != PointStatus::ok) return found;
   const PointNumbers<ModelDual> n = point.differentiated(moving, speed_variable<ModelDual>(speed));
   for (const Slice<double>& s : motor.slices()) {
-    const double bed = 2 * s.radius * s.width * motor.youngs / motor.thickness;
+    const double bed = 2 * s.radius * s.width * motor.youngs / thickness_at(motor, s.radius);
     found.normal_per_amplitude += bed * s.shape * s.edge.sin;
     found.normal_per_height -= bed * s.contact.half_angle;
   }

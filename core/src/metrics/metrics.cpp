@@ -64,6 +64,25 @@ bool is_of_motion(const MetricRequest& request) {
   return info(request.metric).needs_motion && !request.warm_at && !request.worn_at;
 }
 
+// Lives of a track that wears freely need the integrator of motions; its rate when new does not.
+bool is_of_free_life(const MotorDesign& design, const MetricRequest& request) {
+#ifdef __wasm__  // the page has no lives
+  return false;
+#endif
+  return is_wear(request) && design.wear && design.wear->profile == WearProfile::free &&
+         (request.worn_at || request.metric != Metric::wear_rate_at);
+}
+
+// The answer where the library of motions is missing.
+struct WithoutMotions {
+  MetricValue evaluate(const MetricRequest&) const {
+    return {std::numeric_limits<double>::quiet_NaN(), MetricStatus::undefined};
+  }
+  MetricDerivative differentiate(const MetricRequest& request, bool) const {
+    return {evaluate(request), {}, Smoothness::undefined};
+  }
+};
+
 // Each request to the part that answers it; parts are made when they are needed.
 template <typename Answers, typename Answer>
 class Parts {
@@ -82,13 +101,12 @@ class Parts {
   // @param ask  by each of the parts
   template <typename Ask>
   Answer answer(const MetricRequest& request, Ask ask) {
+    if (is_of_free_life(motor_.design(), request) && !make_motion_metrics) return ask(no_motions_);
+    if (is_of_free_life(motor_.design(), request)) return ask(of_motions());
     if (is_wear(request)) return ask(wear_);
     if (is_heat(request)) return ask(heat_);
     if (is_held(request)) return ask(held_);
-    if (is_of_motion(request) && make_motion_metrics) {
-      if (!motion_) motion_ = make_motion_metrics(motor_.design());
-      return ask(*motion_);
-    }
+    if (is_of_motion(request) && make_motion_metrics) return ask(of_motions());
     if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
       if (!still_) still_.emplace(without_drive(motor_.design()));
       if (!of_still_) make_(*still_, of_still_);
@@ -103,10 +121,16 @@ class Parts {
   }
 
  private:
+  MotionMetrics& of_motions() {
+    if (!motion_) motion_ = make_motion_metrics(motor_.design());
+    return *motion_;
+  }
+
   const Motor& motor_;
   HeldMetrics held_;
   HeatMetrics heat_;
   WearMetrics wear_;
+  WithoutMotions no_motions_;
   std::unique_ptr<MotionMetrics> motion_;
   std::function<void(const Motor&, std::optional<Answers>&)> make_, make_at_rest_;
   std::optional<Motor> still_;

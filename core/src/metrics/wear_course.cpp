@@ -31,10 +31,18 @@ std::vector<double> per_depth(const WearRate& rate) {
   return {1 / rate.depth, rate.turns / rate.depth};
 }
 
+// The number of slices that `auto` takes would change on the way, and rates with it by a millionth: too much for an integral to 1e-8,
+// which would then halve all of its panels.
+MotorDesign with_kept_slices(MotorDesign design) {
+  if (design.stator.radial_slices == kAutoSlices)
+    design.stator.radial_slices = Motor(design).radial_slices();
+  return design;
+}
+
 }  // namespace
 
 WearCourse::WearCourse(const MotorDesign& design, const std::optional<LoadPoint>& load)
-    : design_(design), load_(load), rates_(design, load) {}
+    : design_(with_kept_slices(design)), load_(load), rates_(design_, load) {}
 
 // How far a limit of the life is kept, in its unit; NaN where the worn motor has no value for it.
 double WearCourse::margin(std::size_t limit, double depth) {
@@ -141,7 +149,8 @@ const WearRate& WearCourse::rate_with_slopes(double depth, bool fixed) {
   return slopes_.emplace(place, rates_.with_slopes(depth, fixed)).first->second;
 }
 
-WearPoint WearCourse::point_after(const WearPoint& before, double depth) {
+// @param spent  seconds and turns until then
+WearPoint WearCourse::point_at(double depth, const std::function<std::vector<double>()>& spent) {
   const MotorDesign worn = worn_design(design_, depth);
   WearPoint here{.depth = depth,
                  .thickness = worn.layer.thickness,
@@ -149,9 +158,8 @@ WearPoint WearCourse::point_after(const WearPoint& before, double depth) {
                  .contact_temperature = kNoValue};
   try {
     const WearRate rate = rates_.at(depth);
-    const std::vector<double> spent = three_points_over_depth(
-        [&](double u) { return per_depth(rates_.at(u)); }, before.depth, depth);
-    here.seconds = before.seconds + spent[0], here.revolutions = before.revolutions + spent[1];
+    const std::vector<double> until = spent();
+    here.seconds = until[0], here.revolutions = until[1];
     here.rate = rate.depth, here.contact_temperature = rate.contact_temperature;
   } catch (const SearchFailure& failure) {
     here.status = failure.status;
@@ -159,10 +167,35 @@ WearPoint WearCourse::point_after(const WearPoint& before, double depth) {
   return here;
 }
 
+namespace {
+
+// Fewer depths are reached with fewer rates by three between each two.
+constexpr std::size_t kManyDepths = 8;
+
+std::optional<SmoothDepthIntegral> smooth_way(const NumbersAt& numbers,
+                                              const std::vector<double>& depths) {
+  if (depths.size() < kManyDepths || depths.front() < 0) return {};
+  try {
+    return SmoothDepthIntegral::of(numbers, depths.back());
+  } catch (const SearchFailure&) {  // a load is lost on the way
+    return {};
+  }
+}
+
+}  // namespace
+
 std::vector<WearPoint> WearCourse::points(const std::vector<double>& depths) {
+  const NumbersAt numbers = [&](double u) { return per_depth(rates_.at(u)); };
+  const auto smooth = smooth_way(numbers, depths);
   std::vector<WearPoint> points;
   for (const double depth : depths) {
-    points.push_back(point_after(points.empty() ? WearPoint{} : points.back(), depth));
+    const WearPoint before = points.empty() ? WearPoint{} : points.back();
+    points.push_back(point_at(depth, [&] {
+      if (smooth) return smooth->up_to(depth);
+      std::vector<double> spent = three_points_over_depth(numbers, before.depth, depth);
+      spent[0] += before.seconds, spent[1] += before.revolutions;
+      return spent;
+    }));
     if (points.back().status != MetricStatus::ok) break;
   }
   return points;

@@ -5,6 +5,7 @@
 
 #include <twum/core/life.hpp>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,7 +16,7 @@ namespace twum::core {
 /// The way of a motor from new to the end of its life, under a load or in its operation (V2.3).
 class WearCourse {
  public:
-  /// As WearRates.
+  /// As WearRates; copies the design.
   WearCourse(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
   const std::optional<LoadPoint>& load() const { return load_; }
@@ -41,9 +42,9 @@ class WearCourse {
   double last_carried(double depth);
   void spend(Life& life);
   Life found();
-  WearPoint point_after(const WearPoint& before, double depth);
+  WearPoint point_at(double depth, const std::function<std::vector<double>()>& spent);
 
-  const MotorDesign& design_;
+  MotorDesign design_;  // `auto` slices are those of the new motor
   std::optional<LoadPoint> load_;
   WearRates rates_;
   std::optional<Life> life_;

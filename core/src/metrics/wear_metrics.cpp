@@ -2,6 +2,7 @@
 // Values and derivatives of what follows from the wear of a motor (V2.7).
 #include "metrics/wear_metrics.hpp"
 
+#include "design/wear_design.hpp"
 #include "metrics/found_value.hpp"
 #include "metrics/wear_quadrature.hpp"
 

@@ -49,6 +49,44 @@ DepthIntegral halved(const NumbersAt& numbers, double from, double to, int halvi
 
 }  // namespace
 
+std::optional<SmoothDepthIntegral> SmoothDepthIntegral::of(const NumbersAt& numbers, double to) {
+  SmoothDepthIntegral all(to);
+  double by_gauss = 0, by_kronrod = 0;
+  for_nodes(Kronrod::abscissa(), 0, to, [&](std::size_t i, double depth) {
+    all.depths_.push_back(depth), all.numbers_.push_back(numbers(depth));
+    const double first = all.numbers_.back()[0];
+    by_kronrod += Kronrod::weights()[i] * first;
+    if (i % 2 == 1) by_gauss += Gauss::weights()[i / 2] * first;
+  });
+  if (!(std::fabs(by_gauss - by_kronrod) <= kEnough * std::fabs(by_kronrod))) return {};
+  for (const double depth : all.depths_) {
+    double product = 1;  // in parts of a quarter of the length, so that it stays near 1
+    for (const double other : all.depths_)
+      if (other != depth) product *= 4 * (depth - other) / to;
+    all.weights_.push_back(1 / product);
+  }
+  return all;
+}
+
+std::vector<double> SmoothDepthIntegral::at(double depth) const {
+  std::vector<double> sum(numbers_.front().size());
+  double weights = 0;
+  for (std::size_t j = 0; j < depths_.size(); ++j) {
+    if (depth == depths_[j]) return numbers_[j];
+    const double weight = weights_[j] / (depth - depths_[j]);
+    weights += weight;
+    add_to(sum, weight, numbers_[j]);
+  }
+  for (double& one : sum) one /= weights;
+  return sum;
+}
+
+std::vector<double> SmoothDepthIntegral::up_to(double depth) const {
+  if (depth == 0) return std::vector<double>(numbers_.front().size());
+  // more points than half of the polynomial's degree: exact
+  return ten_points_over_depth([this](double u) { return at(u); }, 0, depth);
+}
+
 DepthIntegral integral_over_depth(const NumbersAt& numbers, double from, double to) {
   return halved(numbers, from, to, kHalvings);
 }

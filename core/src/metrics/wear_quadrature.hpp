@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 /// Integrals over the worn depth, of several numbers at once.
@@ -18,6 +19,23 @@ DepthIntegral integral_over_depth(const NumbersAt& numbers, double from, double 
 
 /// By Gauss' rule with ten points, which are every second one of those above.
 std::vector<double> ten_points_over_depth(const NumbersAt& numbers, double from, double to);
+
+/// Integrals from 0 to any depth of numbers that are smooth along the way: those of the polynomial through the 21 nodes of the rule.
+class SmoothDepthIntegral {
+ public:
+  /// Nothing if the rule does not know the first number to 1e-8 without a panel that is halved.
+  static std::optional<SmoothDepthIntegral> of(const NumbersAt& numbers, double to);
+
+  std::vector<double> up_to(double depth) const;
+
+ private:
+  explicit SmoothDepthIntegral(double to) : to_(to) {}
+  std::vector<double> at(double depth) const;
+
+  double to_;
+  std::vector<double> depths_, weights_;  // of the barycentric formula
+  std::vector<std::vector<double>> numbers_;
+};
 
 /// By Gauss' rule with three points.
 std::vector<double> three_points_over_depth(const NumbersAt& numbers, double from, double to);

@@ -5,6 +5,7 @@
 #include "contact/jump.hpp"
 #include "design/radial_shape.hpp"
 #include "model/scalars.hpp"
+#include "model/worn_track.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/core/normal_contact.hpp>
@@ -35,6 +36,9 @@ struct TrackRule {
   bool radial{false};  ///< the surface moves radially, too
   bool settled{
       true};  ///< more nodes would change nothing; false where `auto` has given up the search for so many
+#ifndef __wasm__                            // see worn_track()
+  std::shared_ptr<const WornTrack> worn{};  ///< null: the track is even
+#endif
 };
 
 /// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
@@ -75,6 +79,39 @@ struct MotorModel {
   S compliance;  ///< 1 / G
   TrackRule track;
 };
+
+/// Depths of an uneven track, else null. The page takes all tracks as even, which keeps it small.
+template <typename S>
+const WornTrack* worn_track(const MotorModel<S>& m) {
+#ifdef __wasm__
+  return nullptr;
+#else
+  return m.track.worn.get();
+#endif
+}
+
+/// Depth worn off a radius beyond the mean (V3.1) [m]. The nodes stay with the material: it has no slope along the radius.
+template <typename S, typename R>
+double worn_beyond_mean(const MotorModel<S>& m, const R& radius) {
+  const WornTrack* worn = worn_track(m);
+  if (!worn) return 0;
+  return worn->at((value_of(radius) - value_of(m.r)) / value_of(m.b) + 0.5);
+}
+
+/// h of the layer at a radius (V3.1) [m].
+#ifdef __wasm__
+template <typename S, typename R>
+const S& thickness_at(const MotorModel<S>& m, const R& /*radius*/) {
+  return m.thickness;
+}
+#else
+template <typename S, typename R>
+S thickness_at(const MotorModel<S>& m, const R& radius) {
+  const WornTrack* worn = worn_track(m);
+  if (!worn) return m.thickness;
+  return m.thickness - worn->thickness_share * worn_beyond_mean(m, radius);
+}
+#endif
 
 /// mu_0 > mu: released at once, the traction jumps.
 template <typename S>
@@ -243,7 +280,8 @@ S pressure_force(const Slice<S>& s) {
 /// A slice whose normal contact and edge are known, with what the tangential contact takes of them.
 template <typename S>
 Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
-  s.stick_gain = m.shear * s.crest_velocity / (m.thickness * s.contact.pressure_amplitude);
+  s.stick_gain =
+      m.shear * s.crest_velocity / (thickness_at(m, s.radius) * s.contact.pressure_amplitude);
   s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
   s.pressure_force = pressure_force(s);
   const S P = s.contact.pressure_amplitude;

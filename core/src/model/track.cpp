@@ -31,7 +31,8 @@ double indentation_of(const Track<double>& track) {
   const double rigid = m.preload * m.thickness / (2 * pi * m.r * m.b * m.youngs);
   // In full contact the mean indentation tells the force; elsewhere the layer only pushes more.
   const double most =
-      std::max(lift_off, m.mean.amplitude + rigid + m.slope * m.b * m.b / (12 * m.r));
+      std::max(lift_off, m.mean.amplitude + rigid + m.slope * m.b * m.b / (12 * m.r)) +
+      (worn_track(m) ? worn_track(m)->spread() : 0);
   double low = lift_off, high = most + kQuadrature * (most - lift_off + rigid);
   double depth = std::clamp(m.mean.amplitude * m.mean.peak, low, high);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
@@ -70,8 +71,41 @@ template <typename S>
 struct Pressed {
   S lever, indentation;
 };
+
+// The same of an uneven track, on its nodes. The force is piecewise linear and convex in the indentation: from above, where all
+// nodes touch, Newton's method lets go of one node after the other.
+template <typename S>
+Pressed<S> pressed_on_nodes(const DrivenMotor<S>& m) {
+  struct Node {
+    S radius, stiffness, rise;
+  };
+  std::vector<Node> nodes;
+  const Piece<S> track{S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b), false, false};
+  for_each_node(track, m.track.nodes, [&](const S& radius, const S& width) {
+    nodes.push_back({radius, 2 * pi * radius * width * m.youngs / thickness_at(m, radius),
+                     (m.r - radius) * m.slope - worn_beyond_mean(m, radius)});
+  });
+  S indentation(std::numeric_limits<double>::infinity()), moment(0.0);
+  for (std::size_t touching = 0, before = nodes.size() + 1; touching != before;) {
+    before = touching, touching = 0;
+    S stiffness(0.0), missing = m.preload;
+    moment = S(0.0);
+    for (const Node& node : nodes) {
+      if (!(value_of(indentation) + value_of(node.rise) > 0)) continue;
+      ++touching;
+      stiffness += node.stiffness, missing -= node.stiffness * node.rise;
+    }
+    indentation = missing / stiffness;
+    for (const Node& node : nodes)
+      if (value_of(indentation) + value_of(node.rise) > 0)
+        moment += node.stiffness * (indentation + node.rise) * node.radius;
+  }
+  return {S(moment / m.preload), indentation};
+}
+
 template <typename S>
 Pressed<S> pressed_without_wave(const DrivenMotor<S>& m) {
+  if (worn_track(m)) return pressed_on_nodes(m);
   const S moment =
       m.preload * m.thickness / (2 * pi * m.youngs);  // of the indentation, about the axis
   const S depth = moment / (m.r * m.b) + m.slope * m.b * m.b / (12.0 * m.r);
@@ -103,16 +137,16 @@ struct EdgedContact {
 };
 template <typename S>
 EdgedContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amplitude,
-                           const S& depth) {
+                           const S& depth, const S& thickness) {
   NormalContact<S> c;
-  c.pressure_amplitude = m.youngs * amplitude / m.thickness;
+  c.pressure_amplitude = m.youngs * amplitude / thickness;
   const S peak = depth / amplitude;
   const contact::CrestContact<S> crest = contact::crest_contact(peak);
   c.full = !(value_of(peak) < 2);
   c.half_angle = crest.angle;
   c.edge_cosine = value_of(peak) > 0 ? S(1.0 - peak) : S(1.0);
   c.load_ratio = crest.load / pi;
-  c.max_pressure = value_of(peak) > 0 ? S(m.youngs * depth / m.thickness) : S(0.0);
+  c.max_pressure = value_of(peak) > 0 ? S(m.youngs * depth / thickness) : S(0.0);
   c.half_length = c.half_angle / kappa;
   c.ratio = c.half_angle / (2 * pi);
   return {c, crest.edge};
@@ -120,11 +154,11 @@ EdgedContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amp
 
 // The same without a wave.
 template <typename S>
-EdgedContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth) {
+EdgedContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth, const S& thickness) {
   NormalContact<S> c = m.mean.contact;
   c.full = value_of(depth) > 0;
   c.half_angle = S(c.full ? pi : 0.0);
-  c.max_pressure = c.full ? S(m.youngs * depth / m.thickness) : S(0.0);
+  c.max_pressure = c.full ? S(m.youngs * depth / thickness) : S(0.0);
   return {c, {S(0.0), S(c.full ? -1.0 : 1.0), S(c.full ? 2.0 : 0.0)}};
 }
 
@@ -133,6 +167,17 @@ template <typename S>
 S mean_pressure(const NormalContact<S>& c) {
   const bool flat = value_of(c.pressure_amplitude) == 0;
   return flat ? c.max_pressure : S(c.pressure_amplitude * c.load_ratio);
+}
+
+// The largest value that a number of the contact has at a node.
+template <typename S, typename Number>
+S largest_of_nodes(const DrivenMotor<S>& m, Number number) {
+  S most = number(m.annulus.front().contact);
+  for (const Slice<S>& s : m.annulus) {
+    const S here = number(s.contact);
+    if (value_of(here) > value_of(most)) most = here;
+  }
+  return most;
 }
 
 // Radius in S: an edge moves with the track; elsewhere the radius of a maximum may be held fixed.
@@ -178,9 +223,10 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   s.amplitude = m.mean.amplitude * s.shape;
   s.crest_velocity = m.tilt * m.r / radius * s.amplitude * m.omega;
   const S depth = m.indentation + crest_rise(m, radius);
+  const auto& thickness = thickness_at(m, radius);
   const EdgedContact<S> c = value_of(m.mean.amplitude) == 0
-                                ? flat_contact(m, depth)
-                                : contact_of(m, S(m.n / radius), s.amplitude, depth);
+                                ? flat_contact(m, depth, thickness)
+                                : contact_of(m, S(m.n / radius), s.amplitude, depth, thickness);
   s.contact = c.contact, s.edge = c.edge;
   if (contact::kHasRadialMotion && m.track.radial) s.radial = radial_ratio<S>(m, radius);
   s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
@@ -264,6 +310,8 @@ std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m) {
 template <typename S>
 S largest_pressure(const DrivenMotor<S>& m) {
   if (m.annulus.empty()) return m.mean.contact.max_pressure;
+  if (worn_track(m))
+    return largest_of_nodes(m, [](const NormalContact<S>& c) { return c.max_pressure; });
   const DrivenMotor<double> values = values_of(m);
   const std::vector<double> radii = radii_between_turns(values);
   const double top = *std::max_element(radii.begin(), radii.end(), [&](double a, double b) {
@@ -275,6 +323,7 @@ S largest_pressure(const DrivenMotor<S>& m) {
 template <typename S>
 S pressure_nonuniformity(const DrivenMotor<S>& m) {
   if (m.annulus.empty()) return S(1.0);
+  if (worn_track(m)) return largest_of_nodes(m, mean_pressure<S>) * track_area(m) / m.preload;
   DrivenMotor<double> values = values_of(m);
   values.indentation = value_of(m.indentation), values.n = value_of(m.n);
   values.tilt = values.omega = values.shear = 1;  // what does not act on the normal contact

@@ -49,10 +49,15 @@ S ratio_at_contact(const MotorModel<S>& m) {
   return value_of(q) < 0 ? S(-q) : q;
 }
 
-/// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1) [m].
+/// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1, V3.1) [m].
 template <typename S, typename R>
 R crest_rise(const DrivenMotor<S>& m, const R& radius) {
+#ifdef __wasm__  // see worn_track()
   return m.mean.amplitude * shape_excess(m, radius) - (radius - m.r) * m.slope;
+#else
+  const R rise = m.mean.amplitude * shape_excess(m, radius) - (radius - m.r) * m.slope;
+  return worn_track(m) ? R(rise - worn_beyond_mean(m, radius)) : rise;
+#endif
 }
 
 /// The contact at a radius of the track (W1.2, W2.2), half_angle 0 where the wave does not reach the rotor. For one slice it

@@ -97,7 +97,12 @@ class Track {
   /// Least indentation at which nothing touches [m].
   double lift_off() const {
     double most = -std::numeric_limits<double>::infinity();
-    for (const double radius : radii_) most = std::max(most, crest_rise(values_, radius));
+    const auto look = [&](double radius) { most = std::max(most, crest_rise(values_, radius)); };
+    if (worn_track(values_))
+      for_each_node(whole<double>(), nodes_of_force(),
+                    [&](double radius, double) { look(radius); });
+    else
+      std::for_each(radii_.begin(), radii_.end(), look);
     return -most;
   }
 
@@ -108,12 +113,12 @@ class Track {
     const auto add = [&](const R& radius, const R& width) {
       const R excess = shape_excess(m_, radius);
       const R amplitude = m_.mean.amplitude * (1.0 + excess);
-      const R crest = indentation + m_.mean.amplitude * excess - (radius - m_.r) * m_.slope;
-      force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
+      R crest = indentation + m_.mean.amplitude * excess - (radius - m_.r) * m_.slope;
+      if (worn_track(m_)) crest = crest - worn_beyond_mean(m_, radius);
+      force += 2.0 * radius * width * (m_.youngs / thickness_at(m_, radius)) * amplitude *
                contact::crest_contact(R(crest / amplitude)).load;
     };
-    for (const Piece<R>& piece : pieces(indentation))
-      for_each_node(piece, std::max(m_.track.nodes, kLeastNodes), add);
+    for (const Piece<R>& piece : pieces(indentation)) for_each_node(piece, nodes_of_force(), add);
     return force;
   }
 
@@ -127,21 +132,23 @@ class Track {
     const auto add = [&](double radius, double width) {
       const double excess = shape_excess(values_, radius);
       const double amplitude = values_.mean.amplitude * (1 + excess);
-      const double crest =
+      double crest =
           indentation + values_.mean.amplitude * excess - (radius - values_.r) * values_.slope;
+      if (worn_track(values_)) crest -= worn_beyond_mean(values_, radius);
       const contact::CrestContact<double> at = contact::crest_contact(crest / amplitude);
-      const double stiffness = 2 * radius * width * values_.youngs / values_.thickness;
+      const double stiffness = 2 * radius * width * values_.youngs / thickness_at(values_, radius);
       sum.force += stiffness * amplitude * at.load;
       sum.slope += stiffness * at.angle;
     };
     for (const Piece<double>& piece : pieces(indentation))
-      for_each_node(piece, std::max(m_.track.nodes, kLeastNodes), add);
+      for_each_node(piece, nodes_of_force(), add);
     return sum;
   }
 
   /// The stretches that touch.
   template <typename R>
   std::vector<Piece<R>> pieces(const R& indentation) const {
+    if (worn_track(m_)) return {whole<R>()};
     const double depth = value_of(indentation);
     std::vector<R> ends{R(m_.r - 0.5 * m_.b)};
     for (std::size_t k = 1; k < radii_.size(); ++k) {
@@ -169,6 +176,15 @@ class Track {
   }
 
  private:
+  // Nodes of an uneven track lie where its depths are known; those that do not touch carry nothing.
+  template <typename R>
+  Piece<R> whole() const {
+    return {R(m_.r - 0.5 * m_.b), R(m_.r + 0.5 * m_.b), false, false};
+  }
+  int nodes_of_force() const {
+    return worn_track(m_) ? m_.track.nodes : std::max(m_.track.nodes, kLeastNodes);
+  }
+
   const DrivenMotor<S>& m_;
   DrivenMotor<double> values_;
   std::vector<double> radii_;

@@ -83,7 +83,8 @@ template <typename S>
 DisturbedSlice<S> slice_without_zones(const DrivenMotor<S>& m, const Slice<S>& s, const S& speed,
                                       const S& wave_rate) {
   DisturbedSlice<S> d;
-  d.stiffness = std::numbers::pi * s.radius * s.shape * s.width * m.youngs / m.thickness;
+  d.stiffness =
+      std::numbers::pi * s.radius * s.shape * s.width * m.youngs / thickness_at(m, s.radius);
   d.shape = s.shape;
   d.half_angle = s.contact.half_angle;
   d.tilt = m.tilt * (m.r / s.radius);

@@ -132,7 +132,7 @@ FieldSample dragged_sample(const DrivenMotor<double>& m, const Slice<double>& s,
   FieldSample sample = untouched_sample(s, speed, theta);
   const double torque = (speed < 0 ? 1.0 : -1.0) * (m.kinetic * s.load * s.radius);
   sample.traction = torque / (area_of(s) * s.radius);
-  sample.displacement = m.thickness * sample.traction / m.shear;
+  sample.displacement = thickness_at(m, s.radius) * sample.traction / m.shear;
   return sample;
 }
 
@@ -144,7 +144,7 @@ FieldSample locked_sample(const DrivenMotor<double>& m, const Slice<double>& s, 
   const double mean = locked_slice(m, s, 0.0).torque / (area_of(s) * s.radius);
   sample.traction =
       mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
-  sample.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
+  sample.displacement = thickness_at(m, s.radius) * (mean + P * swing * std::sin(theta)) / m.shear;
   sample.layer_velocity = sample.stator_velocity;
   if constexpr (contact::kHasRadialMotion)
     sample.radial_traction =
@@ -158,7 +158,7 @@ FieldSample rubbing_sample(const DrivenMotor<double>& m, const Slice<double>& s,
   FieldSample sample = untouched_sample(s, 0, theta);
   sample.traction = P * at.traction;
   sample.radial_traction = P * at.across;
-  sample.displacement = m.thickness * P * at.e / m.shear;
+  sample.displacement = thickness_at(m, s.radius) * P * at.e / m.shear;
   sample.layer_velocity = s.crest_velocity * (n.speed_ratio + at.rate / n.stick_rate);
   return sample;
 }

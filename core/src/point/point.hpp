@@ -183,6 +183,9 @@ class SolvedPoint {
   /// differentiated in its own eight numbers and chained.
   template <typename S>
   PointNumbers<S> differentiated(const DrivenMotor<S>& motor, const S& speed) const;
+  /// The same of each slice by itself, in their order; none for a point without a periodic state behind it.
+  std::vector<PointNumbers<ModelDual>> differentiated_slices(const DrivenMotor<ModelDual>& motor,
+                                                             const ModelDual& speed) const;
   /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.
   PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
                                                    const contact::MotionDual& speed) const;

@@ -104,19 +104,46 @@ PointNumbers<R> SolvedPoint::summed(const DrivenMotor<S>& m, const R& speed,
   return sum;
 }
 
+namespace {
+
+// Means of a periodic state with the derivatives that its eight numbers have.
+template <typename S>
+contact::ContactMeans<S> chained_means(const ContactNumbers<S>& n,
+                                       const contact::PeriodicState& state) {
+  using K = typename ContactScalar<S>::Outer;
+  const contact::ContactMeans<K> means = contact::periodic_means(seeded<K>(n), values_of(n), state);
+  const std::array<S, 8> x = listed(n);
+  return {chained(means.traction, x),       chained(means.stator_power, x),
+          chained(means.friction_power, x), chained(means.layer_loss, x),
+          chained(means.stick_length, x),   chained(means.reactive_force, x)};
+}
+
+}  // namespace
+
 template <typename S>
 PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& speed) const {
-  using K = typename ContactScalar<S>::Outer;
-  return summed(m, speed, [](const ContactNumbers<S>& n, const contact::PeriodicState& state) {
-    const contact::ContactMeans<K> means =
-        contact::periodic_means(seeded<K>(n), values_of(n), state);
-    const std::array<S, 8> x = listed(n);
-    return contact::ContactMeans<S>{
-        chained(means.traction, x),       chained(means.stator_power, x),
-        chained(means.friction_power, x), chained(means.layer_loss, x),
-        chained(means.stick_length, x),   chained(means.reactive_force, x)};
-  });
+  return summed(m, speed, chained_means<S>);
 }
+
+#ifndef __wasm__  // of worn tracks
+std::vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(
+    const DrivenMotor<ModelDual>& m, const ModelDual& speed) const {
+  std::vector<PointNumbers<ModelDual>> numbers;
+  if (special) return numbers;
+  const PointSlices<ModelDual> slices(m, {});
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Slice<ModelDual>& s = slices[k];
+    if (slice(k).locked) {
+      numbers.push_back(locked_slice(m, s, speed));
+      continue;
+    }
+    const contact::PeriodicState& state = slice(k).state;
+    numbers.push_back(
+        slice_numbers(m, s, state.lap, chained_means(contact_numbers(m, s, speed), state)));
+  }
+  return numbers;
+}
+#endif
 
 PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
                                                      const MotionDual& speed) const {

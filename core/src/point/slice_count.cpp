@@ -2,6 +2,7 @@
 // How many nodes a panel the numbers of a motor take: radial_slices = auto.
 #include "point/slice_count.hpp"
 
+#include "design/wear_design.hpp"
 #include "point/point.hpp"
 
 #include <algorithm>
@@ -100,11 +101,27 @@ bool is_laborious(const ModelArray<double>& values) {
   });
 }
 
+#ifndef __wasm__
+TrackRule worn_track_rule(const MotorDesign& design) {
+  const auto& table = design.stator.radial_shape.table;
+  const auto worn = std::make_shared<const WornTrack>(
+      WornTrack{design.wear->deviations, thickness_share(design)});
+  return {.nodes = worn->nodes(),
+          .table = table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
+          .mode = design.stator.geometry.has_value(),
+          .radial = design.stator.radial_motion,
+          .worn = worn};
+}
+#endif
+
 }  // namespace
 
 TrackRule track_rule(const MotorDesign& design) {
   const Stator& stator = design.stator;
   const auto& table = stator.radial_shape.table;
+#ifndef __wasm__  // see worn_track()
+  if (design.wear && !design.wear->deviations.empty()) return worn_track_rule(design);
+#endif
   const ModelArray<double> values = model_values(design);
   const bool jumps = design.friction.threshold > design.friction.kinetic;
   // The jumps of a surface that moves radially are not followed.

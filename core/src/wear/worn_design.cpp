@@ -2,6 +2,7 @@
 #include "wear/worn_design.hpp"
 
 #include "design/layer_properties.hpp"
+#include "design/wear_design.hpp"
 
 #include <cmath>
 #include <limits>
@@ -11,18 +12,6 @@ namespace twum::core {
 namespace {
 
 using P = Parameter;
-
-// chi = k_l / (k_l + k_s), the lining's part of the depth.
-double lining_part(const Wear& wear) {
-  const double lining = wear.specific_wear.value_or(0);
-  return lining / (lining + wear.stator_specific_wear);
-}
-
-// s = E / E_lining
-double softness(const MotorDesign& design) {
-  const Wear& wear = *design.wear;
-  return wear.lining_youngs_modulus ? design.layer.youngs_modulus / *wear.lining_youngs_modulus : 1;
-}
 
 // The lining itself conducts: its own thickness counts, not that of the flange beside it (H1.6).
 bool conducts_by_material(const MotorDesign& design) {
@@ -38,10 +27,6 @@ double lining_left(const MotorDesign& design, double depth) {
 
 double specific_wear_of_both(const MotorDesign& design) {
   return design.wear->specific_wear.value_or(0) + design.wear->stator_specific_wear;
-}
-
-double thickness_share(const MotorDesign& design) {
-  return softness(design) * lining_part(*design.wear);
 }
 
 MotorDesign worn_design(const MotorDesign& design, double depth) {

@@ -14,9 +14,6 @@ using WornGradient = std::array<double, kParameterCount>;
 /// k_l + k_s, specific wear of both bodies [m^2/N].
 double specific_wear_of_both(const MotorDesign& design);
 
-/// How much the layer's effective thickness loses for a depth: s chi (V2.2) [1].
-double thickness_share(const MotorDesign& design);
-
 /// The motor whose track has worn to a depth: h - s chi u and F_N - k_F u (V2.2).
 MotorDesign worn_design(const MotorDesign& design, double depth);
 

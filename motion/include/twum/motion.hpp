@@ -9,6 +9,7 @@
 /// hold: SI units, values in and out, InputError for a wrong argument.
 
 #include <twum/motion/control.hpp>
+#include <twum/motion/free_life.hpp>
 #include <twum/motion/integrator_version.hpp>
 #include <twum/motion/left_out.hpp>
 #include <twum/motion/linear_plant.hpp>

@@ -111,10 +111,12 @@ bool has_temperature_limit(const Thermal& thermal) {
          thermal.housing.temperature_limit || thermal.contact_temperature_limit;
 }
 
+constexpr const char* kIntegrator =
+    "an integrator; this twum was built without SUNDIALS: install libsundials-dev and build it "
+    "again";
+
 std::string missing_for_motion(const MotorDesign& motor, Metric metric) {
-  if (!has_motion_metrics())
-    return "an integrator; this twum was built without SUNDIALS: install libsundials-dev and build "
-           "it again";
+  if (!has_motion_metrics()) return kIntegrator;
   if (!motor.rotor.inertia)
     return "the rotor's inertia; give 'inertia' under 'rotor' in the motor file, such as 7e-6 "
            "kg.m^2";
@@ -140,6 +142,9 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
            "geometry, under 'stator' in the motor file";
   if (row.needs_thermal && !motor.thermal) return kThermal;
   if (row.needs_wear && !motor.wear) return kWear;
+  const bool free = motor.wear && motor.wear->profile == WearProfile::free;
+  if (free && row.needs_wear && metric != Metric::wear_rate_at && !has_motion_metrics())
+    return std::string(kIntegrator) + ", or give 'profile: even' under 'wear' in the motor file";
   if (row.needs_operation && motor.operation.empty()) return kOperation;
   if (row.needs_motion) {
     const std::string missing = missing_for_motion(motor, metric);

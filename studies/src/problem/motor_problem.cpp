@@ -83,11 +83,21 @@ std::string limit_text(const std::string& name, const std::string& unit, double 
   throw ValueError(name + " without a limit", "give at least one finite end");
 }
 
+// A life with a free profile has no derivatives.
+bool asks_for_free_life(const MotorDesign& motor, const MetricExpression& metric) {
+  return motor.wear && motor.wear->profile == WearProfile::free &&
+         std::ranges::any_of(metric.terms, [](const auto& term) {
+           const auto* one = std::get_if<MetricRequest>(&term);
+           return one != nullptr && (one->worn_at || info(one->metric).needs_wear);
+         });
+}
+
 bool has_derivatives(const DesignProblem& problem) {
-  return std::ranges::all_of(problem.objectives,
-                             [](const auto& one) { return one.metric.has_derivatives(); }) &&
-         std::ranges::all_of(problem.limits,
-                             [](const auto& one) { return one.metric.has_derivatives(); });
+  const auto has_some = [&](const auto& one) {
+    return one.metric.has_derivatives() && !asks_for_free_life(problem.motor, one.metric);
+  };
+  return std::ranges::all_of(problem.objectives, has_some) &&
+         std::ranges::all_of(problem.limits, has_some);
 }
 
 DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {

@@ -27,6 +27,27 @@ Json worn_in_json(const WornIn& state) {
           {"slices", slices}};
 }
 
+Json track_json(const LifeResult::TrackState& state) {
+  Json nodes = Json::array();
+  for (const LifeResult::AtNode& node : state.nodes)
+    nodes.push_back({{"radius", node.radius},
+                     {"depth", node.depth},
+                     {"pressure", node.pressure},
+                     {"load_share", node.share}});
+  return {{"seconds", state.seconds},
+          {"speed", state.speed},
+          {"torque", state.torque},
+          {"friction_power", state.friction_power},
+          {"nodes", nodes}};
+}
+
+Json free_json(const LifeResult::FreeTrack& track) {
+  return {{"new", track_json(track.fresh)},
+          {"run_in", track.run_in ? track_json(*track.run_in) : Json(nullptr)},
+          {"last", track_json(track.last)},
+          {"largest_share", track.largest_share}};
+}
+
 Json living_json(const LifeResult& result, const LifeResult::Member& member) {
   const bool known = member.status == "ok";
   Json json = Json::object();
@@ -60,6 +81,7 @@ Json living_json(const LifeResult& result, const LifeResult::Member& member) {
                      {"worn", profile_json(member.profile_worn)}};
   json["wear_stability"] = to_string(member.stability);
   json["worn_in"] = member.worn_in ? worn_in_json(*member.worn_in) : Json(nullptr);
+  if (member.free) json["free"] = free_json(*member.free);
   return json;
 }
 
@@ -72,8 +94,8 @@ Json answer_json(const LifeResult& result) {
     life["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
   life["load"] = load_json(result.load);
   life["units"] = {
-      {"depth", "m"},  {"seconds", "s"}, {"wear_rate", "m/s"},        {"thickness", "m"},
-      {"radius", "m"}, {"preload", "N"}, {"contact_temperature", "K"}};
+      {"depth", "m"},  {"seconds", "s"}, {"wear_rate", "m/s"},         {"thickness", "m"},
+      {"radius", "m"}, {"preload", "N"}, {"contact_temperature", "K"}, {"pressure", "Pa"}};
   for (const StoredColumn& column : result.columns) life["units"][column.name] = column.unit;
   if (result.family) {
     life["units"][result.family->name] = result.family->unit;

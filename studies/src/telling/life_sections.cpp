@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/free_track_section.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/load_parts.hpp"
 #include "telling/tellings.hpp"
@@ -15,6 +16,9 @@ using Worn = LifeResult::Member;
 constexpr double kHour = 3600;
 
 bool has_life(const Worn& motor) { return motor.status == "ok"; }
+
+// Wear that localizes has no life, but a way to there.
+bool has_history(const Worn& motor) { return has_life(motor) || motor.free.has_value(); }
 
 Phrase worn_phrase(const LifeResult& answer, const Worn& motor) {
   return family_phrase(answer.family, motor.value);
@@ -55,10 +59,11 @@ Phrase slice_remark() {
           name_part("radial_slices"), ": auto."};
 }
 
-Phrase uneven_remark() {
+Phrase uneven_remark(bool free) {
   return {"Even wear is ", bad("not stable"),
           " under this load if each radius wears by itself (wears-unevenly): a radius that is a "
-          "little less worn takes over the load. The life takes the track to wear evenly."};
+          "little less worn takes over the load.",
+          free ? "" : " The life takes the track to wear evenly."};
 }
 
 double hours_of(const LifeResult::Point& point) { return point.wear.seconds / kHour; }
@@ -159,7 +164,7 @@ Section over_track(const Worn& motor) {
                    "uneven."}};
   Chart chart{"wear-profile",
               {"rate of wear over the radius"},
-              {{"radius"}, "mm", true},
+              {{"radius"}, "mm"},
               {{"rate of wear"}, "nm/h", true}};
   chart.series = {over_radius("new", motor.profile_new, 0),
                   over_radius("worn", motor.profile_worn, 1)};
@@ -176,10 +181,8 @@ Section after_run_in(const WornIn& state, double preload) {
         "at ",
         value_part(state.speed, "rad/s"), " under ", value_part(state.torque, "N.m"), "."}}};
   Table table{"worn-in", {{"radius"}, {"share of the preload"}, {"worn by run-in"}}, {}};
-  Chart chart{"run-in-profile",
-              {"depth worn by run-in"},
-              {{"radius"}, "mm", true},
-              {{"depth"}, "nm", true}};
+  Chart chart{
+      "run-in-profile", {"depth worn by run-in"}, {{"radius"}, "mm"}, {{"depth"}, "nm", true}};
   Series series{"", Stroke::line, {}, {}, colour_of(0)};
   for (const WornInSlice& slice : state.slices) {
     table.rows.push_back({{value_part(slice.radius, "m", 4)},
@@ -252,7 +255,8 @@ Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
   append(phrase, {"."});
   std::vector<Phrase> remarks;
   if (motor.one_slice) remarks.push_back(slice_remark());
-  if (motor.stability == WearStability::uneven) remarks.push_back(uneven_remark());
+  if (motor.stability == WearStability::uneven)
+    remarks.push_back(uneven_remark(motor.free.has_value()));
   const bool none = !has_life(motor) && motor.status != "does-not-wear";
   return {none ? Headline::Look::bad : Headline::Look::plain,
           "",
@@ -266,14 +270,15 @@ Headline headline_of(const LifeResult& answer, const StudyResult& /*result*/) {
 std::vector<Section> sections_of(const LifeResult& answer, const Sources& /*sources*/) {
   if (answer.members.empty()) return {};
   std::vector<Section> sections{lives(answer)};
-  if (std::ranges::none_of(answer.members, has_life)) return sections;
-  if (!answer.family && !answer.members.front().limits.empty())
+  if (std::ranges::none_of(answer.members, has_history)) return sections;
+  if (!answer.family && has_life(answer.members.front()) && !answer.members.front().limits.empty())
     sections.push_back(margins(answer.members.front()));
   sections.push_back(courses(answer));
-  if (!answer.family && !answer.members.front().profile_new.empty())
-    sections.push_back(over_track(answer.members.front()));
   const Worn& first = answer.members.front();
-  if (!answer.family && first.worn_in)
+  if (!answer.family && first.free) sections.push_back(free_track_section(*first.free));
+  if (!answer.family && !first.free && !first.profile_new.empty())
+    sections.push_back(over_track(first));
+  if (!answer.family && !first.free && first.worn_in)
     sections.push_back(after_run_in(*first.worn_in, first.points.front().wear.preload));
   sections.push_back(new_and_worn(answer));
   return sections;

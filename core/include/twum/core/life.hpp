@@ -57,7 +57,8 @@ struct WearPoint {
   double contact_temperature{0};          ///< hottest of the loads; NaN without temperatures [K]
 };
 
-/// The way to some rising depths, at the design's operation without a load. Times between them by Gauss' rule with three points.
+/// The way to some rising depths, at the design's operation without a load. Times by the rule of life() where no zone
+/// changes on the way and there are eight depths or more, else between the depths by Gauss' rule with three points.
 /// @throws InputError as above
 std::vector<WearPoint> wear_course(const MotorDesign& design, const std::optional<LoadPoint>& load,
                                    const std::vector<double>& depths);

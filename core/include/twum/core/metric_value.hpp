@@ -156,7 +156,8 @@ enum class MetricStatus : unsigned char {
   never_too_hot,             ///< no limit of temperature is reached, however long the motor runs
   does_not_wear,             ///< nothing slips in the contact, so that the life has no end
   does_not_start,            ///< the drive does not bring the rotor from rest to its running speed
-  does_not_stop              ///< the load drives the rotor on when the drive is off
+  does_not_stop,             ///< the load drives the rotor on when the drive is off
+  wear_localizes  ///< of a free profile: one radius takes over the load, so that there is no life
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.

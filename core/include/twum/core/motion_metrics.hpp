@@ -8,7 +8,7 @@
 
 namespace twum {
 
-/// Answers metrics of motions (MetricInfo::needs_motion) of one design. The library of motions, twum::motion, has them; this one
+/// Answers metrics of motions (MetricInfo::needs_motion) of one design, and those of the life of a track that wears freely. The library of motions, twum::motion, has them; this one
 /// knows their names only, so that a program which moves nothing does without an integrator.
 class MotionMetrics {
  public:

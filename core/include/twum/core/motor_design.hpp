@@ -271,6 +271,15 @@ struct WearLimit {
   bool operator==(const WearLimit&) const = default;
 };
 
+/// Which radii of the track wear together.
+enum class WearProfile : unsigned char {
+  even,  ///< all: the track has one worn depth (V2.1)
+  free   ///< none: each radius wears by its own pressure and slip (V3.3)
+};
+
+/// As in a motor file; static lifetime.
+const char* to_string(WearProfile profile) noexcept;
+
 /// How the track wears, and what ends its life (theory of wear).
 struct Wear {
   std::optional<double> specific_wear{};  ///< k_l of the lining [m^2/N]
@@ -280,6 +289,12 @@ struct Wear {
   double preload_spring{0};        ///< k_F, rate of the spring that gives the preload [N/m]
   /// E_lining, where modulus and thickness of the layer also stand for a flange [Pa]; else that of the layer
   std::optional<double> lining_youngs_modulus{};
+  WearProfile profile{WearProfile::even};  ///< what a life of the motor takes
+#ifndef __wasm__  // the page takes all tracks as even, which keeps it small
+  /// Depth that is worn off at each node of the track, less the mean over its area (V3.1) [m]: at those of Gauss' rule over the whole
+  /// width, from the inner edge on. Empty: the track is even. As worn_motor() gives it.
+  std::vector<double> deviations{};
+#endif
   /// True if all members are equal.
   bool operator==(const Wear&) const = default;
 };

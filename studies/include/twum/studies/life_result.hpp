@@ -32,6 +32,29 @@ struct LifeResult {
     double radius;  ///< [m]
     double rate;    ///< at which it would wear by itself [m/s]
   };
+  /// A node of a track that wears freely, at one time.
+  struct AtNode {
+    double radius;    ///< [m]
+    double depth;     ///< worn off [m]
+    double pressure;  ///< largest in a turn of the wave, under the load that is told [Pa]
+    double share;     ///< of the preload, under that load
+  };
+  /// Such a track at one time.
+  struct TrackState {
+    double seconds{0};            ///< since it was new
+    double speed{0};              ///< of the rotor under the load that is told [rad/s]
+    double torque{0};             ///< likewise [N m]
+    double friction_power{0};     ///< likewise [W]
+    std::vector<AtNode> nodes{};  ///< from the inner edge on
+  };
+  /// What a free profile tells of a life.
+  struct FreeTrack {
+    TrackState fresh{};  ///< new
+    std::optional<TrackState>
+        run_in{};             ///< first time from which all nodes wear at one rate, to 1 %
+    TrackState last{};        ///< at the end of the life, or where the wear localizes
+    double largest_share{1};  ///< load of a node there, in parts of its even share
+  };
   /// One motor.
   struct Member {
     double value{0};     ///< of the family's parameter, SI; NaN for the motor alone
@@ -45,6 +68,7 @@ struct LifeResult {
     std::vector<AtRadius> profile_worn{};             ///< likewise at the end of the life
     WearStability stability{WearStability::unknown};  ///< of the new motor under that load
     std::optional<WornIn> worn_in;                    ///< the state after run-in, where it is known
+    std::optional<FreeTrack> free;                    ///< with `wear.profile: free`
   };
   std::optional<StoredColumn> family;  ///< nothing for the motor alone
   std::optional<LoadPoint> load;       ///< that was asked for; nothing: the operation

@@ -27,6 +27,7 @@ struct GivenMotor {
   std::optional<SolidData> solid{};               ///< of the geometry as a solid
   std::vector<LoadPhase> operation{};
   std::vector<WearLimit> until{};
+  std::optional<WearProfile> wear_profile{};
   std::optional<double> lining_wear{};  ///< specific wear of the layer's material [m^2/N]
   std::string material{};               ///< of the block that is being read
 

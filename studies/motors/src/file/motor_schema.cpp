@@ -10,6 +10,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/plate.hpp>
+#include <twum/core/track_wear.hpp>
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 #include <twum/motors/settings.hpp>
@@ -334,8 +335,11 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
   if (extent == Extent::part) return fields;  // without what is no parameter
   if (path == "stator.geometry.") fields.push_back(support_field());
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
-  if (path == "wear.")
+  if (path == "wear.") {
     fields.push_back(optional<GivenMotor>("until", until_shape(), &GivenMotor::until, "none"));
+    fields.push_back(
+        optional<GivenMotor>("profile", wear_profile_shape(), &GivenMotor::wear_profile, "even"));
+  }
   if (path == "stator.") {
     fields.push_back(branch_field());
     fields.push_back(control_field());
@@ -350,9 +354,10 @@ Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent:
 }
 
 bool wears(const GivenMotor& given) {
-  return !given.until.empty() || std::ranges::any_of(given.values, [](const ParameterValue& one) {
-    return info(one.first).file_entry.starts_with("wear.");
-  });
+  return !given.until.empty() || given.wear_profile ||
+         std::ranges::any_of(given.values, [](const ParameterValue& one) {
+           return info(one.first).file_entry.starts_with("wear.");
+         });
 }
 
 // Those of the file, and those that follow from an equivalent circuit or the wear of a lining.
@@ -379,7 +384,9 @@ MotorFile plate_motor_of(const GivenMotor& given) {
     blank.stator.frequency_range = {given.frequency_range->front(), given.frequency_range->back()};
   blank.stator.geometry = blank_geometry(given);
   blank.operation = given.operation;
-  if (!given.until.empty()) blank.wear.emplace().until = given.until;
+  if (!given.until.empty() || given.wear_profile)
+    blank.wear.emplace(
+        Wear{.until = given.until, .profile = given.wear_profile.value_or(WearProfile::even)});
   return {given.name, with(blank, all_values(given))};
 }
 
@@ -405,6 +412,9 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
     return false;
   try {
     const MotorDesign design = plate_motor_of(motor).design;
+    if (design.wear && design.wear->profile == WearProfile::free)
+      if (const std::string wrong = free_profile_complaint(design); !wrong.empty())
+        say_of_motor(wrong, given, diagnostics);
     if (motor.solid) check_solid(motor, design, given, diagnostics);
     if (!design.stator.geometry) return diagnostics.empty();
     if (!motor.solid) {
@@ -430,6 +440,8 @@ GivenMotor given_by(const MotorFile& motor) {
   if (motor.design.stator.radial_motion) given.radial_motion = true;
   given.operation = motor.design.operation;
   if (motor.design.wear) given.until = motor.design.wear->until;
+  if (motor.design.wear && motor.design.wear->profile != WearProfile::even)
+    given.wear_profile = motor.design.wear->profile;
   if (const auto& range = motor.design.stator.frequency_range)
     given.frequency_range = std::vector{range->first, range->second};
   for (const ParameterInfo& row : parameter_table())

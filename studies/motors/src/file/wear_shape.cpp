@@ -35,4 +35,10 @@ const Shape<std::vector<WearLimit>>& until_shape() {
   return shape;
 }
 
+Shape<WearProfile> wear_profile_shape() {
+  return word<WearProfile>(
+      "whether the track wears evenly, or each radius by its own pressure and slip (free)",
+      {WearProfile::even, WearProfile::free});
+}
+
 }  // namespace twum::motors

@@ -11,4 +11,7 @@ namespace twum::motors {
 /// The list `wear.until`: limits that end a life, each of one metric and a number.
 const Shape<std::vector<WearLimit>>& until_shape();
 
+/// The word `wear.profile`.
+Shape<WearProfile> wear_profile_shape();
+
 }  // namespace twum::motors

@@ -74,7 +74,10 @@ std::span<const Reason> reasons() {
        "a higher frequency"},
       {MetricStatus::does_not_stop,
        "with the drive off the load keeps the rotor turning and the rotor keeps the wave running, "
-       "so friction never holds the rotor"}};
+       "so friction never holds the rotor"},
+      {MetricStatus::wear_localizes,
+       "with wear.profile: free one radius takes over more than three times its share of the load; "
+       "raise the load, or use wear.profile: even"}};
   return kReasons;
 }
 

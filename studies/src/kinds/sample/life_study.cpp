@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample/family_run.hpp"
+#include "kinds/sample/life_way.hpp"
 #include "kinds/sample/wear_profile.hpp"
 
 #include <twum/base/no_value.hpp>
@@ -78,6 +79,7 @@ class LifeRun : public FamilyRun<LifeResult> {
       if (!one.design.wear)
         throw InputError("study: the motor does not wear; give 'wear' in the motor file");
       require_load(asked_.load(), one.design);
+      require_way_of_life(one.design, asked_.load());
     }
     told_ = told_metrics(asked_, motors().front().design);
   }
@@ -96,9 +98,10 @@ class LifeRun : public FamilyRun<LifeResult> {
     return result;
   }
 
-  // A motor that does not wear has a life without end.
+  // A motor that does not wear has a life without end; wear that localizes has a history.
   bool has_answer(const Member& one) const override {
-    return one.life.status == MetricStatus::ok || is_endless(one.life.status);
+    return one.life.status == MetricStatus::ok || is_endless(one.life.status) ||
+           one.life.status == MetricStatus::wear_localizes;
   }
 
   void add_numbers(const Member& one, StoredRow& row) const override {
@@ -126,20 +129,17 @@ class LifeRun : public FamilyRun<LifeResult> {
     const auto load = asked_.load();
     Member one;
     one.one_slice = design.stator.radial_slices == 1;
-    one.life = load ? life(design, *load) : life(design);
+    const LifeWay way = way_of_life(design, load, points());
+    one.life = way.life, one.free = way.free;
     one.status = to_string(one.life.status);
     one.limits = limits_of(design, one.life);
-    if (one.life.status != MetricStatus::ok) return one;
-    std::vector<double> depths;
-    for (std::uint64_t i = 0; i < points(); ++i)
-      depths.push_back(one.life.depth * static_cast<double>(i) / static_cast<double>(points() - 1));
-    for (const WearPoint& wear : wear_course(design, load, depths))
-      one.points.push_back(point_of(design, wear));
-    set_margins(design, one);
+    if (way.points.empty()) return one;
+    for (const WayPoint& point : way.points) one.points.push_back(point_of(point));
+    set_margins(design, way.points, one);
     if (const auto told = told_load(asked_, design)) {
       one.profile_new = wear_profile(design, *told);
-      one.profile_worn = wear_profile(worn_motor(design, one.life.depth), *told);
-      one.stability = wear_stability(design, *told);
+      one.profile_worn = wear_profile(way.points.back().motor, *told);
+      one.stability = way.stability.value_or(wear_stability(design, *told));
       if (WornIn state = worn_in(design, *told); state.status == MetricStatus::ok)
         one.worn_in = std::move(state);
     }
@@ -161,22 +161,24 @@ class LifeRun : public FamilyRun<LifeResult> {
     return limits;
   }
 
-  LifeResult::Point point_of(const MotorDesign& design, const WearPoint& wear) const {
-    LifeResult::Point point{wear, {}, {}};
-    const Motor worn(worn_motor(design, wear.depth));
+  LifeResult::Point point_of(const WayPoint& on_way) const {
+    LifeResult::Point point{on_way.wear, {}, {}};
+    const Motor worn(on_way.motor);
     for (const MetricValue& found : evaluate(worn, told_))
       point.metrics.push_back(number_of(found));
     return point;
   }
 
   // Each margin over that of the new motor.
-  static void set_margins(const MotorDesign& design, LifeResult::Member& one) {
+  static void set_margins(const MotorDesign& design, const std::vector<WayPoint>& way,
+                          LifeResult::Member& one) {
     const std::vector<WearLimit>& until = design.wear->until;
     std::vector<double> first;
-    for (LifeResult::Point& point : one.points) {
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      LifeResult::Point& point = one.points[i];
       if (const auto depth = design.wear->depth_limit)
-        point.margins.push_back(1 - point.wear.depth / *depth);
-      const Motor worn(worn_motor(design, point.wear.depth));
+        point.margins.push_back(1 - way[i].deepest / *depth);
+      const Motor worn(way[i].motor);
       for (std::size_t j = 0; j < until.size(); ++j) {
         const double left = margin_of(until[j], number_of(evaluate(worn, until[j].request)));
         if (first.size() <= j) first.push_back(left);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <utility>
 
 namespace twum::studies {
@@ -57,7 +59,24 @@ class UncertaintyRun : public DrawnMotors {
       const auto part = table_.parts.rows.draw(optim::Random(seed_, 1, index).uniform());
       design.insert(design.end(), part.begin(), part.end());
     }
+    if (variables_.empty())
+      fill_once(design, row);
+    else
+      evaluator_.evaluate(design, row);
+  }
+
+  // Measured parts alone make as many motors as there are parts: each is computed once, however often it is drawn.
+  void fill_once(const std::vector<double>& design, StoredRow& row) const {
+    {
+      const std::lock_guard guard(mutex_);
+      if (const auto known = known_.find(design); known != known_.end()) {
+        row.values = known->second.values, row.status = known->second.status;
+        return;
+      }
+    }
     evaluator_.evaluate(design, row);
+    const std::lock_guard guard(mutex_);
+    known_.emplace(design, row);
   }
 
   // Of each variable, independent ones.
@@ -135,6 +154,8 @@ class UncertaintyRun : public DrawnMotors {
 
   std::vector<double> probabilities_;
   std::uint64_t samples_;
+  mutable std::mutex mutex_;  // of what follows
+  mutable std::map<std::vector<double>, StoredRow> known_;
 };
 
 }  // namespace

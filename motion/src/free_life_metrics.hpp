@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/load.hpp>
+#include <twum/core/metrics.hpp>
+#include <twum/motion/free_life.hpp>
+
+#include <list>
+#include <optional>
+#include <utility>
+
+namespace twum::motion {
+
+/// True for metrics of a life and of the motor at its end.
+inline bool is_of_life(const MetricRequest& request) {
+  return request.worn_at || info(request.metric).needs_wear;
+}
+
+/// Metrics of lives with a free profile of one design, each life found once.
+class FreeLives {
+ public:
+  /// @param design  outlives this
+  explicit FreeLives(const MotorDesign& design) : design_(design) {}
+
+  /// @throws WithoutValue where there is no life
+  double number(const MetricRequest& request);
+
+ private:
+  const FreeLife& under(const std::optional<LoadPoint>& load);
+
+  const MotorDesign& design_;
+  std::list<std::pair<std::optional<LoadPoint>, FreeLife>> lives_;  // references stay valid
+};
+
+}  // namespace twum::motion
