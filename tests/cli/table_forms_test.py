@@ -11,11 +11,11 @@ class Headings(program.Case):
         return done
 
     def test_units_in_brackets_parentheses_and_behind_a_slash(self):
-        for heading in ("preload [N]", "preload (N)", "preload / N", "motor.preload [N]", "F_N (N)"):
+        for heading in ("preload [N]", "preload (N)", "preload / N", "motor.preload [N]", "F_N (N)", "Preload [N]"):
             self.assertIn(b",120,9,ok", self.evaluated(heading).stdout, heading)
 
     def test_what_is_nearly_a_parameter_is_copied_with_a_warning(self):
-        for heading in ("Preload [N]", "preload in N", '"preload, N"', "FN [N]"):
+        for heading in ("preload in N", '"preload, N"', "FN [N]"):
             done = self.evaluated(heading)
             self.assertIn(b",160,9,ok", done.stdout, heading)
             self.assertIn("is only copied; did you mean 'preload [N]'?", done.stderr, heading)

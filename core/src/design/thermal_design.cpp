@@ -57,11 +57,13 @@ bool is_closed_off(const MotorDesign& design) {
 
 std::string of_three_masses(const MotorDesign& design) {
   for (std::size_t i = 0; i < kNeededOfMasses; ++i)
-    if (std::isnan(get(design, kOfMasses[i])))
-      return name_of(kOfMasses[i]) +
-             " must be given with thermal, or one_node with the rise and the time constant of a "
-             "data "
-             "sheet, but is missing";
+    if (std::isnan(get(design, kOfMasses[i]))) {
+      const bool of_geometry =
+          design.stator.geometry && kOfMasses[i] == Parameter::stator_heat_capacity;
+      return name_of(kOfMasses[i]) + " must be given with thermal, or " +
+             (of_geometry ? "the specific heats of substrate and ceramic, or " : "") +
+             "one_node with the rise and the time constant of a data sheet, but is missing";
+    }
   if (is_closed_off(design))
     return "conductance_housing_ambient must be more than 0 W/K, or another path lead to the "
            "ambient, but the heat has no way out";

@@ -83,7 +83,8 @@ MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument
     require_way(kind, quantity.value);
     return {metric.metric, kind, quantity.value};
   } catch (const ValueError& error) {
-    throw ValueError(std::string(metric.name) + ": " + error.found(), error.expected(),
+    const char* time = metric.timed ? ", or after it a time [s] such as '10 min'" : "";
+    throw ValueError(std::string(metric.name) + ": " + error.found(), error.expected() + time,
                      at + error.position());
   }
 }

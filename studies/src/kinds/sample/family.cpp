@@ -31,8 +31,8 @@ std::vector<FamilyMotor> family_motors(const std::optional<CurveStudy::Family>& 
 void require_load(const std::optional<LoadPoint>& load, const MotorDesign& motor) {
   if (!load && motor.operation.empty())
     throw InputError(
-        "study: nothing loads the motor; give a torque, a speed, or both, or 'operation' in the "
-        "motor file");
+        "nothing loads the motor; give a torque, a speed, or both, or 'operation' in the motor "
+        "file");
 }
 
 std::optional<LoadPoint> load_point(const std::optional<double>& torque,
