@@ -90,14 +90,16 @@ Table nodes_table(const LifeResult::FreeTrack& track) {
 
 Section free_track_section(const LifeResult::FreeTrack& track) {
   Section section{{"Each radius by itself"},
-                  {"Each radius of the track wears by its own pressure and slip (profile: free)."}};
+                  {"Each radius of the track wears by its own pressure and slip (profile: free). "
+                   "The uneven depth is that beyond the least worn "
+                   "radius."}};
   section.sentences = {
       {track.run_in ? "After run-in all radii wear at one rate, to 1 %."
                     : "The radii do not come to one rate of wear."},
       {"At the end the most loaded radius carries ", value_part(track.largest_share, "1", 3),
        " times its even share. At more than 3 the wear localizes, and there is no life."}};
   section.charts = {
-      over_radius(track, "free-depth", {"depth beyond the least worn radius"}, "depth", "nm",
+      over_radius(track, "free-depth", {"depth beyond the least worn radius"}, "uneven depth", "nm",
                   [](const State& state, const LifeResult::AtNode& node) {
                     return 1e9 * (node.depth - least_depth(state));
                   }),
