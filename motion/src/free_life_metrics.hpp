@@ -11,11 +11,6 @@
 
 namespace twum::motion {
 
-/// True for metrics of a life and of the motor at its end.
-inline bool is_of_life(const MetricRequest& request) {
-  return request.worn_at || info(request.metric).needs_wear;
-}
-
 /// Metrics of lives with a free profile of one design, each life found once.
 class FreeLives {
  public:

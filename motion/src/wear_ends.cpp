@@ -14,8 +14,6 @@ namespace {
 constexpr double kMostShare = 3;  // of its even share, beyond which the wear localizes
 constexpr double kWithin = 1e-6;  // of the depth at which lining or preload is gone
 
-using DepthsAt = std::function<std::vector<double>(double time)>;
-
 }  // namespace
 
 WearEnds::WearEnds(const MotorDesign& design, TrackWear& track, const TrackRates& first)
@@ -46,14 +44,9 @@ double WearEnds::largest_share(const std::vector<TrackLoad>& loads) const {
   return largest;
 }
 
-// In its unit; NaN where the worn motor has no value for it.
 double WearEnds::margin_of_until(std::size_t limit, std::span<const double> depths) const {
   const WearLimit& one = design_.wear->until[limit];
-  const MetricValue found = evaluate(Motor(worn_motor(design_, depths)), one.request);
-  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-  if (is_endless(found.status)) return std::isinf(one.upper) ? kNoLimit : -kNoLimit;
-  if (found.status != MetricStatus::ok) return kNoValue;
-  return std::fmin(found.value - one.lower, one.upper - found.value);
+  return margin_of(one, evaluate(Motor(worn_motor(design_, depths)), one.request));
 }
 
 double WearEnds::margin(const WearEnd& limit, std::span<const double> depths) {
@@ -75,23 +68,6 @@ std::optional<WearEnd> WearEnds::first_broken(std::span<const double> depths) {
   return {};
 }
 
-// Where a margin reaches zero, or the last time at which the limit has a value.
-double WearEnds::root(const WearEnd& limit, const DepthsAt& depths_at, double good, double bad) {
-  const auto f = [&](double time) { return margin(limit, depths_at(time)); };
-  double at_bad = f(bad);
-  while (std::isnan(at_bad) && bad - good > 1e-12 * bad) {
-    const double middle = 0.5 * (good + bad), there = f(middle);
-    if (there >= 0)
-      good = middle;
-    else
-      bad = middle, at_bad = there;
-  }
-  const double at_good = f(good);
-  // What rounding of the dense output leaves of a margin at the step's beginning.
-  if (std::isnan(at_bad) || !(at_good > 0)) return good;
-  return closed_in("the end of a life", f, Bracket{good, bad, at_good, at_bad}, 40).nearest();
-}
-
 std::optional<WearEndAt> WearEnds::within(const DepthsAt& depths_at, double begin, double end,
                                           bool beyond_localization) {
   std::optional<WearEndAt> first;
@@ -99,7 +75,8 @@ std::optional<WearEndAt> WearEnds::within(const DepthsAt& depths_at, double begi
   for (const WearEnd& limit : limits_) {
     if (limit.localizes && beyond_localization) continue;
     if (margin(limit, depths) >= 0) continue;
-    const double time = root(limit, depths_at, begin, end);
+    const auto margin_at = [&](double time) { return margin(limit, depths_at(time)); };
+    const double time = zero_or_last_value("the end of a life", margin_at, begin, end, 40);
     if (!first || time < first->time) first = {limit, time};
   }
   return first;

@@ -24,6 +24,9 @@ struct WearEndAt {
   double time;
 };
 
+/// The depths of the nodes at a time within a step.
+using DepthsAt = std::function<std::vector<double>(double time)>;
+
 /// Watches the limits of a life from step to step.
 class WearEnds {
  public:
@@ -34,17 +37,14 @@ class WearEnds {
   std::optional<WearEnd> first_broken(std::span<const double> depths);
   /// The one that is reached first in a step at whose beginning none is broken: by the sign of its margin at the end.
   /// @param depths_at  the step's dense output
-  std::optional<WearEndAt> within(const std::function<std::vector<double>(double time)>& depths_at,
-                                  double begin, double end, bool beyond_localization);
+  std::optional<WearEndAt> within(const DepthsAt& depths_at, double begin, double end,
+                                  bool beyond_localization);
   /// Largest load of a node in parts of its even share.
   double largest_share(const std::vector<TrackLoad>& loads) const;
 
  private:
   double margin(const WearEnd& limit, std::span<const double> depths);
   double margin_of_until(std::size_t limit, std::span<const double> depths) const;
-  double root(const WearEnd& limit,
-              const std::function<std::vector<double>(double time)>& depths_at, double good,
-              double bad);
 
   const MotorDesign& design_;
   TrackWear& track_;

@@ -76,4 +76,20 @@ LeastValue least_between(std::string_view sought, const std::function<double(dou
   return {place, value};
 }
 
+double zero_or_last_value(std::string_view sought, const std::function<double(double)>& f,
+                          double good, double bad, int bits) {
+  double at_bad = f(bad);
+  while (std::isnan(at_bad) && bad - good > 1e-12 * bad) {
+    const double middle = 0.5 * (good + bad), there = f(middle);
+    if (there >= 0)
+      good = middle;
+    else
+      bad = middle, at_bad = there;
+  }
+  if (std::isnan(at_bad)) return good;
+  const double at_good = f(good);
+  if (!(at_good > 0)) return good;  // rounding leaves so much of a value that was 0
+  return closed_in(sought, f, Bracket{good, bad, at_good, at_bad}, bits).nearest();
+}
+
 }  // namespace twum

@@ -5,8 +5,12 @@
 #include "metrics/wear_course.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/no_value.hpp>
 #include <twum/core/life.hpp>
 #include <twum/core/plate.hpp>
+
+#include <cmath>
+#include <limits>
 
 namespace twum {
 
@@ -48,6 +52,13 @@ const char* to_string(EndOfLife end) noexcept {
     case EndOfLife::load_lost: return "load-lost";
   }
   return "";
+}
+
+double margin_of(const WearLimit& limit, const MetricValue& found) {
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  if (is_endless(found.status)) return std::isinf(limit.upper) ? kNoEnd : -kNoEnd;
+  if (found.status != MetricStatus::ok) return kNoValue;
+  return std::fmin(found.value - limit.lower, limit.upper - found.value);
 }
 
 Life life(const MotorDesign& design, const LoadPoint& load) { return life_under(design, load); }

@@ -68,9 +68,9 @@ bool is_of_motion(const MetricRequest& request) {
 bool is_of_free_life(const MotorDesign& design, const MetricRequest& request) {
 #ifdef __wasm__  // the page has no lives
   return false;
+#else
+  return wears_freely(design) && is_of_life(request);
 #endif
-  return is_wear(request) && design.wear && design.wear->profile == WearProfile::free &&
-         (request.worn_at || request.metric != Metric::wear_rate_at);
 }
 
 // The answer where the library of motions is missing.

@@ -44,28 +44,14 @@ MotorDesign with_kept_slices(MotorDesign design) {
 WearCourse::WearCourse(const MotorDesign& design, const std::optional<LoadPoint>& load)
     : design_(with_kept_slices(design)), load_(load), rates_(design_, load) {}
 
-// How far a limit of the life is kept, in its unit; NaN where the worn motor has no value for it.
 double WearCourse::margin(std::size_t limit, double depth) {
   const WearLimit& one = design_.wear->until[limit];
-  const MetricValue found = rates_.motors().evaluate(depth, std::span(&one.request, 1)).front();
-  if (is_endless(found.status)) return std::isinf(one.upper) ? kNoLimit : -kNoLimit;
-  if (found.status != MetricStatus::ok) return kNoValue;
-  return std::fmin(found.value - one.lower, one.upper - found.value);
+  return margin_of(one, rates_.motors().evaluate(depth, std::span(&one.request, 1)).front());
 }
 
-// Where a margin reaches zero between two depths, or the last depth at which the limit has a value.
 double WearCourse::root_of(std::size_t limit, double good, double bad) {
   const auto f = [&](double depth) { return margin(limit, depth); };
-  double at_bad = f(bad);
-  while (std::isnan(at_bad) && bad - good > 1e-12 * bad) {
-    const double middle = 0.5 * (good + bad), there = f(middle);
-    if (there >= 0)
-      good = middle;
-    else
-      bad = middle, at_bad = there;
-  }
-  if (std::isnan(at_bad)) return good;
-  return closed_in("the end of a life", f, Bracket{good, bad, f(good), at_bad}, 48).nearest();
+  return zero_or_last_value("the end of a life", f, good, bad, 48);
 }
 
 // The first limit that fails on the way to a depth.

@@ -3,6 +3,7 @@
 
 #include "robust/statistic_verdict.hpp"
 #include "robust/verification.hpp"
+#include "search/range_place.hpp"
 
 #include <twum/optim/certify.hpp>
 #include <twum/optim/distributions.hpp>
@@ -23,15 +24,8 @@ constexpr std::uint64_t kFreshScrambles = 10'000;      // apart from those that 
 constexpr std::uint64_t kSoughtScrambles = 1'000'000;  // apart from both
 constexpr std::uint64_t kCoarse = 4096, kFine = 16384;
 
-double unit(const Variable& v, double x) {
-  if (v.lower == v.upper) return 0.0;
-  return v.scale == Scale::log ? std::log(x / v.lower) / std::log(v.upper / v.lower)
-                               : (x - v.lower) / (v.upper - v.lower);
-}
-
 double of_unit(const Variable& v, double u) {
-  const double x = v.scale == Scale::log ? v.lower * std::pow(v.upper / v.lower, u)
-                                         : v.lower + u * (v.upper - v.lower);
+  const double x = value_in_range(v, u);
   return v.integer ? std::round(x) : x;
 }
 
@@ -331,7 +325,8 @@ double RobustSearch::moved(const SolvedRound& from, const SolvedRound& to) const
   double most = 0.0;
   for (std::size_t k = 0; k < problem_.design.variables.size(); ++k) {
     const Variable& v = problem_.design.variables[k];
-    most = std::max(most, std::abs(unit(v, from.result.design[k]) - unit(v, to.result.design[k])));
+    most = std::max(most, std::abs(place_in_range(v, from.result.design[k]) -
+                                   place_in_range(v, to.result.design[k])));
   }
   return most;
 }

@@ -2,6 +2,7 @@
 #include <twum/optim/scan.hpp>
 
 #include "problem/session.hpp"
+#include "search/range_place.hpp"
 
 #include <twum/optim/low_discrepancy.hpp>
 
@@ -28,13 +29,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 // The place of a design in the unit box.
 std::vector<double> unit_of(const Problem& problem, const std::vector<double>& design) {
   std::vector<double> unit;
-  for (std::size_t j = 0; j < design.size(); ++j) {
-    const Variable& v = problem.variables[j];
-    const bool log = v.scale == Scale::log;
-    const double part = log ? std::log(design[j] / v.lower) : design[j] - v.lower;
-    const double whole = log ? std::log(v.upper / v.lower) : v.upper - v.lower;
-    unit.push_back(whole > 0 ? part / whole : 0.0);
-  }
+  for (std::size_t j = 0; j < design.size(); ++j)
+    unit.push_back(place_in_range(problem.variables[j], design[j]));
   return unit;
 }
 
@@ -135,7 +131,8 @@ class FurtherLook {
     return kept;
   }
 
-  // Rinnooy Kan and Timmer (1987), multi level single linkage, equation (11) with sigma = 4, in the unit box.
+  // pi^(-1/2) (Gamma(1 + n/2) sigma ln(N) / N)^(1/n) with sigma = 4, in the unit box: multi level single linkage (Rinnooy Kan and
+  // Timmer 1987).
   double critical_distance() const {
     const double dimension = static_cast<double>(problem_.variables.size());
     const double count = static_cast<double>(std::max<std::size_t>(seen_.size(), 2));
@@ -197,8 +194,7 @@ class FurtherLook {
 };
 
 double at_unit(const Variable& v, double u) {
-  const double x = v.scale == Scale::log ? v.lower * std::pow(v.upper / v.lower, u)
-                                         : v.lower + u * (v.upper - v.lower);
+  const double x = value_in_range(v, u);
   if (!v.integer) return std::clamp(x, v.lower, v.upper);
   // Each whole number gets an equal part of the range.
   const double least = std::ceil(v.lower);

@@ -212,7 +212,9 @@ class ContinuousSolve {
     std::vector<std::vector<double>> scaled;
     for (const auto& design : from) scaled.push_back(runner_.scaling().to_unit(design));
     auto found = elastic_search(runner_, scaled);
-    if (!found || found->excess > 0.0) {  // the starts may lie in a valley of the violations
+    const double allowed = options_.feasibility_tolerance;
+    if (!found || found->f > allowed || found->violation > allowed) {
+      // All starts may lie in one valley of the violations, and another may be lower.
       auto other = elastic_search(runner_, least_infeasible_samples());
       if (other && (!found || other->f < found->f)) found = std::move(other);
     }

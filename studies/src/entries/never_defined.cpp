@@ -142,8 +142,7 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
            "geometry, under 'stator' in the motor file";
   if (row.needs_thermal && !motor.thermal) return kThermal;
   if (row.needs_wear && !motor.wear) return kWear;
-  const bool free = motor.wear && motor.wear->profile == WearProfile::free;
-  if (free && row.needs_wear && metric != Metric::wear_rate_at && !has_motion_metrics())
+  if (wears_freely(motor) && is_of_life({metric}) && !has_motion_metrics())
     return std::string(kIntegrator) + ", or give 'profile: even' under 'wear' in the motor file";
   if (row.needs_operation && motor.operation.empty()) return kOperation;
   if (row.needs_motion) {

@@ -85,10 +85,9 @@ std::string limit_text(const std::string& name, const std::string& unit, double 
 
 // A life with a free profile has no derivatives.
 bool asks_for_free_life(const MotorDesign& motor, const MetricExpression& metric) {
-  return motor.wear && motor.wear->profile == WearProfile::free &&
-         std::ranges::any_of(metric.terms, [](const auto& term) {
+  return wears_freely(motor) && std::ranges::any_of(metric.terms, [](const auto& term) {
            const auto* one = std::get_if<MetricRequest>(&term);
-           return one != nullptr && (one->worn_at || info(one->metric).needs_wear);
+           return one != nullptr && is_of_life(*one);
          });
 }
 

@@ -151,17 +151,16 @@ void add_limits_of(const MetricRequest& request, const MetricExpression& metric,
       reserve_limit(Metric::drive_reserve_at, request, by_frequency ? kLeastReserve : 0));
 }
 
-bool is_of_life(const Term& term) {
+bool asks_for_life(const Term& term) {
   const auto* request = std::get_if<MetricRequest>(&term);
-  return request != nullptr && (request->worn_at || info(request->metric).needs_wear) &&
-         request->metric != Metric::wear_rate_at;
+  return request != nullptr && is_of_life(*request);
 }
 
 // A life falls to nothing where the new motor violates what ends it. No slope of the life tells the way back; those limits do.
 std::vector<ImpliedLimit> limits_of_new_motor(const DesignProblem& problem) {
   std::vector<ImpliedLimit> limits;
   const bool lives = std::ranges::any_of(asked(problem), [](const MetricExpression& metric) {
-    return std::ranges::any_of(metric.terms, is_of_life);
+    return std::ranges::any_of(metric.terms, asks_for_life);
   });
   if (!lives || !problem.motor.wear) return limits;
   for (const WearLimit& until : problem.motor.wear->until) {

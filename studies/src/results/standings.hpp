@@ -13,7 +13,8 @@ namespace twum::studies {
 /// "unit", "side": "at least" or "at most",
 ///  "state": "binds", "holds", "broken", "unknown" or "unreachable", "limit", "value", "slack": how far it is from the limit,
 ///  "violation", "tolerance": up to which it counts as kept, "allowance": how far beyond the limit still keeps it,
-///  "step": 1 % of the limit, "moved": the limit looser by the step, "multiplier" (null if the design is no optimum), "worth": of the step [goal],
+///  "step": 1 % of the limit, "moved": the limit looser by the step,
+///  "multiplier": null if the design is no optimum, "worth": of the step [goal],
 ///  "changes": of each goal by the step, first order; null where it does not trade}
 Json standings_json(const DesignReport& report, const std::vector<Goal>& goals);
 

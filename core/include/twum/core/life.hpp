@@ -57,6 +57,10 @@ struct WearPoint {
   double contact_temperature{0};          ///< hottest of the loads; NaN without temperatures [K]
 };
 
+/// How far a value keeps a limit that ends a life, in its unit: negative where it does not; infinite for a time without an end, NaN
+/// without a value.
+double margin_of(const WearLimit& limit, const MetricValue& found);
+
 /// The way to some rising depths, at the design's operation without a load. Times by the rule of life() where no zone
 /// changes on the way and there are eight depths or more, else between the depths by Gauss' rule with three points.
 /// @throws InputError as above

@@ -43,6 +43,12 @@ std::span<const MetricInfo> metric_table();
 /// The row of a metric; static lifetime.
 const MetricInfo& info(Metric metric);
 
+/// True for lives and metrics of the motor at the end of its life, but not for the rate at which the new motor wears.
+inline bool is_of_life(const MetricRequest& request) {
+  return request.worn_at ||
+         (info(request.metric).needs_wear && request.metric != Metric::wear_rate_at);
+}
+
 /// The metric with a name such as "torque_at", if there is one.
 std::optional<Metric> find_metric(std::string_view name);
 

@@ -8,8 +8,9 @@
 
 namespace twum {
 
-/// Answers metrics of motions (MetricInfo::needs_motion) of one design, and those of the life of a track that wears freely. The library of motions, twum::motion, has them; this one
-/// knows their names only, so that a program which moves nothing does without an integrator.
+/// Answers metrics of motions (MetricInfo::needs_motion) of one design, and lives of a track that wears freely. The library of
+/// motions, twum::motion, has them; this one knows their names only, so that a program which moves nothing does without an
+/// integrator.
 class MotionMetrics {
  public:
   virtual ~MotionMetrics() = default;

@@ -319,6 +319,11 @@ struct MotorDesign {
   bool operator==(const MotorDesign&) const = default;
 };
 
+/// True if each radius of the motor's track wears by itself.
+inline bool wears_freely(const MotorDesign& design) {
+  return design.wear && design.wear->profile == WearProfile::free;
+}
+
 /// f, drive frequency: as given, or frequency_ratio f_r [Hz]. Smooth; never throws; NaN if f_r is needed and not
 /// given.
 double drive_frequency(const MotorDesign& design);

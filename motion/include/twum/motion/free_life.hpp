@@ -61,7 +61,7 @@ struct FreeLife {
 FreeLife free_life(const MotorDesign& design, const std::optional<LoadPoint>& load,
                    const FreeLifeOptions& options = {});
 
-/// Finds out that free_life() is for this motor, without a life. @throws InputError likewise
+/// Checks that free_life() can serve this motor, without computing the life. @throws InputError as free_life()
 void require_free_life(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
 }  // namespace twum::motion

@@ -412,7 +412,7 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
     return false;
   try {
     const MotorDesign design = plate_motor_of(motor).design;
-    if (design.wear && design.wear->profile == WearProfile::free)
+    if (wears_freely(design))
       if (const std::string wrong = free_profile_complaint(design); !wrong.empty())
         say_of_motor(wrong, given, diagnostics);
     if (motor.solid) check_solid(motor, design, given, diagnostics);

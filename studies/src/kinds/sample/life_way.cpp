@@ -96,10 +96,6 @@ LifeWay free_way(const MotorDesign& design, const std::optional<LoadPoint>& load
   return way;
 }
 
-bool wears_freely(const MotorDesign& design) {
-  return design.wear && design.wear->profile == WearProfile::free;
-}
-
 }  // namespace
 
 LifeWay way_of_life(const MotorDesign& design, const std::optional<LoadPoint>& load,

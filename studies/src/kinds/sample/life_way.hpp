@@ -33,7 +33,7 @@ struct LifeWay {
 LifeWay way_of_life(const MotorDesign& design, const std::optional<LoadPoint>& load,
                     std::uint64_t points);
 
-/// Finds out that way_of_life() is for this motor, without a life. @throws InputError likewise
+/// Checks that way_of_life() can serve this motor, without computing the life. @throws InputError as way_of_life()
 void require_way_of_life(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
 }  // namespace twum::studies

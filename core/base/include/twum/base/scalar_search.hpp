@@ -39,4 +39,11 @@ struct LeastValue {
 LeastValue least_between(std::string_view sought, const std::function<double(double)>& f,
                          double low, double high, int bits = 26);
 
+/// Where a function that begins at 0 or above reaches zero, or the last place at which it has a value (is not NaN).
+/// @param sought  as closed_in(), as are `bits` and the errors
+/// @param good    where it is not below 0
+/// @param bad     a place above, where it is below 0 or has no value
+double zero_or_last_value(std::string_view sought, const std::function<double(double)>& f,
+                          double good, double bad, int bits);
+
 }  // namespace twum
