@@ -121,7 +121,8 @@ TEST_CASE("a search takes measured parts whole", "[studies][robust]") {
   const ScratchFolder folder;
   const Search s(
       largest_with_parts(folder, "constraints: [holding_torque <= 1 N.m, 'yield >= 75 %']"));
-  CHECK(s.answer.outcome == "optimal");
+  // How the share of failing parts changes with the design is not known to the search.
+  CHECK(s.answer.outcome == "feasible");
   // Eight of ten have to hold, of which the worst has 0.215. Nearer to the limit by at most the clearance, 1e-6 of the spread,
   // and the tolerance of the search, 1e-8.
   const double preload = value(s.optimum().best.design, "preload");

@@ -89,6 +89,7 @@ class RobustFrontSearch {
                             search_.shifts_after(at.solved, at.seen));
     }
     drop_values(at.seen);
+    if (!search_.stopped()) at.solved.result.certificate = search_.certified(at.solved);
     return at;
   }
 
@@ -109,9 +110,7 @@ class RobustFrontSearch {
     if (!solved.feasible()) return at;
     solved.result.design.pop_back();
     solved.result.evaluation = next->problem().evaluate(solved.result.design, true);
-    if (!solved.result.evaluation.ok()) return at;
-    solved.result.certificate = search_.certified(solved);
-    return solved;
+    return solved.result.evaluation.ok() ? solved : at;
   }
 
   // Wanted risks; a yield that is a goal has none.

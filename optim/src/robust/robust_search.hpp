@@ -92,6 +92,7 @@ class RobustSearch {
 
  private:
   std::vector<std::vector<double>> starts() const;
+  bool risks_bind(const RobustRound& round, const Certificate& certificate) const;
   double clearance(const ImportanceSample& sample, std::size_t term) const;
   void correct_law(const SolvedRound& solved, std::size_t term, double margin, InversePoint at,
                    Correction& next) const;

@@ -197,6 +197,8 @@ class RobustSolve {
       const auto x = search_.design(solved);
       result_.design.assign(x.begin(), x.end());
       if (!search_.stopped()) solved.result.certificate = search_.certified(solved);
+      if (result_.outcome == Outcome::optimal && !solved.result.certificate.passed)
+        result_.outcome = Outcome::feasible;
       const Explained explained(problem_, solved);
       result_.risks = explained.risks(result_.verification);
       result_.prices = explained.prices();

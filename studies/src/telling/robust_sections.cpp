@@ -51,8 +51,12 @@ Phrase price_phrase(const RobustReport& report, const Goal& goal) {
   if (report.nominal_yield.value < 1)
     append(phrase,
            {", but only ", share_part(report.nominal_yield.value, 2), " of its motors would pass"});
-  append(phrase, {". The tolerances cost ", goal_part(goal, price, 3), " (",
-                  share_part(price / std::fabs(report.nominal_objective), 2), ")."});
+  constexpr double kNothing = 1e-6;  // of the goal; a search ends within less
+  if (price <= kNothing * std::fabs(report.nominal_objective))
+    append(phrase, {". The tolerances cost nothing."});
+  else
+    append(phrase, {". The tolerances cost ", goal_part(goal, price, 3), " (",
+                    share_part(price / std::fabs(report.nominal_objective), 2), ")."});
   return phrase;
 }
 
