@@ -20,11 +20,6 @@ std::optional<ForceExtremum> lowest_hold(const std::vector<ForceExtremum>& extre
   return least;
 }
 
-// The ripple of a real motor's speed is larger than other pieces.
-bool is_wide(const BranchPiece& piece) {
-  return piece.highest() - piece.lowest() > kRules.narrowest * piece.highest();
-}
-
 }  // namespace
 
 RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
@@ -42,7 +37,7 @@ RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
   if (with_dead)
     for (const CurveNode& wave : at_rest.held())
       if (wave.rise > 0) trace(wave, 0);
-  if (!running) search(at_rest);
+  if (!running || ends_in_gap()) search(at_rest);
   list_nodes();
 }
 
@@ -58,6 +53,19 @@ WaveCurve RunningBranch::curve(double lowest, double highest, double longest) co
   return {ForcePlane::of_speed(waves_, unit_),
           {{-HUGE_VAL, lowest / unit_}, {HUGE_VAL, highest / unit_}},
           {longest, kRules.speed.steep, kRules.speed.settled, kRules.speed.states}};
+}
+
+// Beyond the fastest wave known are speeds without a periodic state, and no wave within the longest leap.
+bool RunningBranch::ends_in_gap() const {
+  const BranchPiece* fastest = fastest_piece(true);
+  return fastest && fastest->nodes.back().jump;
+}
+
+const BranchPiece* RunningBranch::fastest_piece(bool running) const {
+  const BranchPiece* fastest = nullptr;
+  for (const BranchPiece& p : pieces_)
+    if (p.is(running) && (!fastest || p.highest() > fastest->highest())) fastest = &p;
+  return fastest;
 }
 
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
@@ -205,13 +213,9 @@ void RunningBranch::list_nodes() {
 const CurveNode* RunningBranch::pull_out() const {
   if (nodes_.empty() || first().parameter == 0) return nullptr;
   const CurveNode* end = nullptr;
-  int fastest = 0;
-  double highest = -1;
+  const int curve = fastest_piece(true)->curve;
   for (const BranchPiece& piece : pieces_)
-    if (piece.running && piece.highest() > highest)
-      highest = piece.highest(), fastest = piece.curve;
-  for (const BranchPiece& piece : pieces_)
-    if (piece.running && piece.curve == fastest && is_wide(piece) &&
+    if (piece.running && piece.curve == curve && piece.is_wide() &&
         (!end || piece.nodes.front().at.x < end->at.x))
       end = &piece.nodes.front();
   return end;
@@ -266,12 +270,9 @@ MotorPoint RunningBranch::at(double speed, bool running) const {
 
 // Where no piece has a wave.
 std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) const {
-  const BranchPiece *fastest = nullptr, *from_rest = nullptr;
-  for (const BranchPiece& p : pieces_) {
-    if (!p.is(running)) continue;
-    if (!fastest || p.highest() > fastest->highest()) fastest = &p;
-    if (!from_rest && p.lowest() == 0) from_rest = &p;
-  }
+  const BranchPiece *fastest = fastest_piece(running), *from_rest = nullptr;
+  for (const BranchPiece& p : pieces_)
+    if (p.is(running) && !from_rest && p.lowest() == 0) from_rest = &p;
   if (!fastest)
     return without_wave(running ? PointStatus::no_running_branch : PointStatus::no_dead_branch);
   std::optional<MotorPoint> point;
@@ -341,8 +342,10 @@ std::optional<MotorPoint> RunningBranch::between(const Neighbours& nodes, double
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
     if (auto point = solve_in_known_zones(speed, guess, near)) return point;
   }
-  const auto wave = curve(speed, speed).between(*a, *b, speed / unit_);
-  return wave ? solved(*wave, speed, near) : std::nullopt;
+  if (const auto wave = curve(speed, speed).between(*a, *b, speed / unit_))
+    return solved(*wave, speed, near);
+  if (!waves_.has_static_excess()) return {};
+  return beside_gap(speed, guess.amplitude);
 }
 
 std::optional<MotorPoint> RunningBranch::solved(const CurveNode& wave, double speed,
@@ -375,10 +378,15 @@ std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) cons
     if (low.parameter >= speed && (!above || low.parameter < above->parameter)) above = &low;
   }
   if (!below || !above || !below->jump) return {};
-  const double amplitude = std::sqrt(below->amplitude * above->amplitude);
+  return beside_gap(speed, std::sqrt(below->amplitude * above->amplitude));
+}
+
+// Amplitudes without a periodic state lie about the wave, or where it would be.
+MotorPoint RunningBranch::beside_gap(double speed, double amplitude) const {
   const ForceLine line(waves_, speed, amplitude / kRules.island, amplitude * kRules.island);
   for (const CurveNode& wave : line.held())
-    if (wave.rise > 0) return solved(wave, speed, wave.solved);
+    if (wave.rise > 0)
+      if (auto point = solved(wave, speed, wave.solved)) return *std::move(point);
   return without_wave(PointStatus::no_periodic_state);
 }
 

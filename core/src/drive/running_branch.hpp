@@ -20,6 +20,8 @@ struct BranchPiece {
   double lowest() const { return nodes.front().parameter; }
   double highest() const { return nodes.back().parameter; }
   bool is(bool running_one) const { return running_one ? running : dead; }
+  /// The ripple of a real motor's speed is larger than other pieces.
+  bool is_wide() const { return highest() - lowest() > kRules.narrowest * highest(); }
   bool covers(double speed) const { return speed >= lowest() && speed <= highest(); }
   /// The neighbouring nodes about a speed.
   std::pair<const CurveNode*, const CurveNode*> around(double speed) const;
@@ -56,6 +58,8 @@ class RunningBranch {
  private:
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
+  bool ends_in_gap() const;
+  const BranchPiece* fastest_piece(bool running) const;
   void search(const ForceLine& at_rest);
   void search_island(double near, double step, ForceExtremum hold);
   void trace_waves_of(const ForceLine& line, double speed);
@@ -81,6 +85,7 @@ class RunningBranch {
                                                  const SolvedPoint& near) const;
   std::optional<MotorPoint> continue_past_end(const CurveNode& last, double speed) const;
   std::optional<MotorPoint> in_gap(double speed, bool running) const;
+  MotorPoint beside_gap(double speed, double amplitude) const;
   std::optional<MotorPoint> solved(const CurveNode& wave, double speed,
                                    const SolvedPoint& near) const;
   bool steady(const MotorPoint& point, double speed) const;

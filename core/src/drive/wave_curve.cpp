@@ -351,8 +351,8 @@ std::optional<CurveNode> WaveCurve::between(const CurveNode& a, const CurveNode&
     const double x = cubic(a, b, share).x;
     low = std::fmin(low, x), high = std::fmax(high, x);
   }
-  // Beyond a fold lies another wave.
-  const double slack = 0.5 * (high - low) + kRules.kink;
+  // A kink between them leaves the cubic by as much as may be left of a step. Beyond a fold lies another wave.
+  const double slack = std::fmax(high - low, kRules.speed.settled) + kRules.kink;
   const auto is_fold_at = [&](double x) {
     return (a.fold && a.at.x == x) || (b.fold && b.at.x == x);
   };
