@@ -5,6 +5,7 @@
 #include <twum/core/parameters.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace twum::motion {
@@ -27,10 +28,36 @@ OperatingPoint Contact::point(const OperatingConditions& at, double preload) con
   return Motor(design).operating_point(at);
 }
 
+namespace {
+
+ContactForces mixed(const ContactForces& a, const ContactForces& b, double share) {
+  const auto mix = [share](auto x, auto y) { return (1 - share) * x + share * y; };
+  return {mix(a.stiffness, b.stiffness), mix(a.torque, b.torque),
+          mix(a.stator_power, b.stator_power), mix(a.friction_power, b.friction_power),
+          a.known && b.known};
+}
+
+}  // namespace
+
 ContactForces Contact::solved(double amplitude, double speed, double frequency, double preload) {
+  if (!model_->motor.design().stator.radial_motion)
+    return solved_at(amplitude, speed, frequency, preload, floor_);
+  const double least = kLeastRadial * model_->full_contact_amplitude;
+  const double creep = kCreep * model_->crest_per_amplitude * 2 * std::numbers::pi * frequency *
+                       std::max(amplitude, least);
+  const auto at = [&](double size, double smallest) {
+    return solved_at(amplitude, std::copysign(size, speed), frequency, preload, smallest);
+  };
+  const double share = std::abs(speed) / creep;
+  if (share >= 1) return at(std::abs(speed), least);
+  return share < kNoShare ? at(0, floor_) : mixed(at(0, floor_), at(creep, least), share);
+}
+
+ContactForces Contact::solved_at(double amplitude, double speed, double frequency, double preload,
+                                 double least) {
   // no preload, no contact
   if (model_->full_contact_amplitude == 0 || preload == 0) return {};
-  const double a = std::max(amplitude, floor_);
+  const double a = std::max(amplitude, least);
   const double omega = 2 * std::numbers::pi * frequency;
   const MotorDesign& d = model_->motor.design();
   const bool met = speed > -omega / d.stator.wavelengths;  // the wave is faster than the rotor

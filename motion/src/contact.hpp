@@ -23,7 +23,7 @@ class Contact {
 
   static constexpr double kOfDesign = -1;
 
-  /// @param amplitude  A [m]; below 1e-7 A_1, where F is linear in A (C20.2, C20.3), F / A and T are those at 1e-7 A_1
+  /// @param amplitude  A [m]; below floor(), where F is linear in A (C20.2, C20.3), F / A and T are those there
   /// @param speed      of the rotor in the direction of the wave [rad/s]
   /// @param frequency  of the wave [Hz]
   /// @param preload    the normal force at this instant [N]; that of the design if it is negative
@@ -37,7 +37,14 @@ class Contact {
   const std::string& failure() const { return failure_; }
 
  private:
+  // With radial motion a layer that hardly slips takes more laps than are followed: below this share of the crest's speed, or of
+  // A_1 as long as the rotor moves, forces go on a line to those at rest, which have a closed form (R4.1). It is off by the square of
+  // the share.
+  static constexpr double kCreep = 1e-3, kLeastRadial = 1e-2, kNoShare = 1e-8;
+
   ContactForces solved(double amplitude, double speed, double frequency, double preload);
+  ContactForces solved_at(double amplitude, double speed, double frequency, double preload,
+                          double least);
   OperatingPoint point(const OperatingConditions& at, double preload) const;
 
   const MotionModel* model_;

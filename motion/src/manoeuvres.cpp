@@ -129,7 +129,7 @@ class Answers final : public MotionMetrics {
       return {kNoValue, without.status};
     } catch (const EvaluationError&) {
       return {kNoValue, MetricStatus::unresolved};
-    } catch (const InputError&) {  // no rotor, no voltage, radial motion
+    } catch (const InputError&) {  // no rotor, no voltage
       return {kNoValue, MetricStatus::undefined};
     }
   }

@@ -46,10 +46,6 @@ MotionRun::MotionRun(const MotorDesign& design, const MotionTask& task, RunWatch
       integrator_(equations_, 2, task.tolerance, absolute_tolerances(),
                   asked_.slopes ? asked_.slopes->columns().size() : 0),
       watch_(equations_) {
-  if (design.stator.radial_motion)
-    throw InputError(
-        "radial_motion must be false for a motion in time, which would take hours with it, but is "
-        "true");
   if (task.axial == AxialMotion::dynamic) require_axial_motion(model_);
   for (const auto& [time, value] : task.phase_difference.rows())
     if (value != std::numbers::pi / 2)

@@ -325,6 +325,27 @@ void check_radial_derivatives(const MotorDesign& design, double share, Deviation
 
 }  // namespace
 
+TEST_CASE("a track that opens slice by slice has a torque at backward speeds, too",
+          "[core][radial][law]") {
+  MotorDesign design = with_ratio(driven_motor(140, 40.8e3), 0.44);
+  design.stator.radial_slices = 4;
+  const Motor motor(design);
+  // All pressure at the outer edge.
+  const double most =
+      torque_bound(design) * (1 + 0.5 * design.stator.contact_width / design.stator.contact_radius);
+  for (int i = 0; i < 60; ++i) {
+    const double amplitude = 20e-9 * std::pow(1.05, i), crest = 6.5e6 * amplitude;
+    for (const double share : {-1.0, -0.3, -0.1, -0.01, 0.01, 0.3}) {
+      const double speed = share * crest;
+      const OperatingPoint p = motor.operating_point({speed, amplitude, design.stator.frequency});
+      CAPTURE(amplitude, share);
+      REQUIRE(p.status == PointStatus::ok);
+      CHECK(std::fabs(p.torque) <= most);
+      CHECK(p.friction_power >= 0);
+    }
+  }
+}
+
 TEST_CASE("derivatives are the limits of differences", "[core][radial][derivative]") {
   Uniform random(74);
   Deviation deviation("derivatives with radial motion", 1e-6);

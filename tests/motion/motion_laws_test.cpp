@@ -68,6 +68,46 @@ TEST_CASE("a start with a layer with inertia and damping over an annulus ends on
   CHECK(m.last.speed == Approx(speed.value).epsilon(2e-6));
 }
 
+// A motor whose surface also moves radially, by a ratio of exponent / n (R1.1).
+MotorDesign tilting(double exponent, int slices) {
+  MotorDesign d = elastic_60(7e-6);
+  d.stator.radial_shape.exponent = exponent;
+  d.stator.radial_slices = slices;
+  d.stator.radial_motion = true;
+  return d;
+}
+
+TEST_CASE("a motor whose surface also moves radially starts to the speed of its curve, and stops",
+          "[motion][identity]") {
+  const MotorDesign d = tilting(4, GENERATE(1, 4));
+  MotionTask task = steady_drive(d, 0.03);
+  task.load_torque = 0.3;
+  const Motion m = simulate(d, task);
+  REQUIRE(m.status == "ok");
+  const MetricValue speed = evaluate(Motor(d), {Metric::speed_at, Argument::torque, 0.3});
+  // The tolerance of the integration.
+  CHECK(m.last.speed == Approx(speed.value).epsilon(2e-6));
+  MotionTask stop = steady_drive(d, 0.01);
+  stop.initial.steady = true;
+  stop.switched_off = {{0, 0.01}};
+  const Motion stopped = simulate(d, stop);
+  REQUIRE(stopped.status == "ok");
+  CHECK(stopped.last.held);
+  CHECK(time_of(stopped, Event::held) > 0);
+}
+
+TEST_CASE("a motion of a surface that hardly moves radially is that without (R1.1)",
+          "[motion][limit]") {
+  const auto end = [](const MotorDesign& d) { return simulate(d, steady_drive(d, 0.002)).last; };
+  MotorDesign without = tilting(1e-3, 1);
+  without.stator.radial_motion = false;
+  const MotionSample still = end(without), slight = end(tilting(1e-3, 1));
+  // Every number goes with the square of q = 1e-3 / 9, and the line to the torque at rest is off by 1e-6; what the tolerance of
+  // 1e-8 a step leaves after some hundred steps.
+  CHECK(slight.speed == Approx(still.speed).epsilon(3e-6));
+  CHECK(slight.amplitude == Approx(still.amplitude).epsilon(3e-6));
+}
+
 // What (C21.5) misses over a motion, and what the drive has turned over [J].
 struct WaveEnergy {
   double missed{0}, turnover{0};

@@ -148,8 +148,7 @@ class RadialRunner {
       const bool solved = (last && step.solve(angles_at(*last, 1, length / last_length))) ||
                           step.solve(step.euler_angles());
       if (!solved) {
-        length *= 0.25;
-        if (length < kNoStep) return fail();
+        if (!shorten(length)) return fail();
         continue;
       }
       const double error = step.last_term() * length / (2 * value_of(n_.half_angle)) / kLastTerm;
@@ -163,7 +162,11 @@ class RadialRunner {
         if (length < kStalled) return;  // it hardly begins
         continue;
       }
-      if (place < 1) return finish(step, length, place);
+      if (place < 1) {
+        if (finish(step, length, place)) return;
+        if (!shorten(length)) return fail();
+        continue;
+      }
       accept(step, length, to_exit);
       if (to_exit) return;
       last = step.angles(), last_length = length;
@@ -171,6 +174,12 @@ class RadialRunner {
       length = std::fmin(length * std::fmin(kMostLonger, share_for(error)), left());
     }
     fail();
+  }
+
+  // Of a step without a solution; false if there is none of any length.
+  static bool shorten(double& length) {
+    length *= 0.25;
+    return length >= kNoStep;
   }
 
   // By which a step may be longer than one with this error, which goes with the fifth power of the length.
@@ -215,21 +224,25 @@ class RadialRunner {
     return 0.5 * (low + high);
   }
 
-  // The step that ends where slip does.
-  void finish(const SlipStep<double>& whole, double length, double place) {
+  // The step that ends where slip does; false if there is none, as where the whole step went astray.
+  bool finish(const SlipStep<double>& whole, double length, double place) {
     const Collocation& c = Collocation::points();
     double end = place * length;
     Angles guess = angles_at(whole.angles(), 0, place);
     for (int i = 0; i < 20; ++i) {
       SlipStep<double> step = step_of(end, false);
-      if (!step.solve(guess) && !step.solve(step.euler_angles())) return fail();
+      if (!step.solve(guess) && !step.solve(step.euler_angles())) return false;
       double slope = 0;
       for (std::size_t j = 0; j < Collocation::N; ++j) slope += c.slope_at_end[j] * step.slip(j);
       const double move = -step.slip(Collocation::N - 1) / slope * end;
-      if (std::fabs(move) <= 1e-13 * end || i == 19) return accept_end(step, end, slope / end);
+      if (std::fabs(move) <= 1e-13 * end || i == 19) {
+        accept_end(step, end, slope / end);
+        return true;
+      }
       guess = step.angles();
       end += std::clamp(move, -0.5 * end, 0.5 * end);
     }
+    return false;
   }
 
   void accept(const SlipStep<double>& step, double length, bool to_exit) {

@@ -84,7 +84,7 @@ class RadialSearch {
   void run(const LapGuess* guess) {
     const bool monotone = !(n_.threshold > n_.kinetic);
     LapEntry<double> from = n_.full ? nearly_locked() : LapEntry<double>{{0, 0}};
-    if (guess && monotone && (guess->carried || !n_.full)) from = *guess;
+    if (guess && monotone && guess->carried == n_.full) from = *guess;
     turn(from);
     for (int same = 0; s_.laps < kMostLaps;) {
       if (s_.lap.status != LapStatus::ok) return give_up(PeriodicStatus::unresolved);

@@ -116,12 +116,18 @@ bool locks_at_rest(const DrivenMotor<double>& m) {
                      [&m](const Slice<double>& s) { return locks_at_rest(m, s); });
 }
 
+// At rest the limit of forward speeds, as everywhere; at -0 that of backward ones.
+template <typename R>
+bool turns_back(const R& speed) {
+  return std::signbit(value_of(speed));
+}
+
 template <typename S, typename R>
-PointNumbers<R> locked_slice(const DrivenMotor<S>& m, const Slice<S>& s, const R& /*speed*/) {
+PointNumbers<R> locked_slice(const DrivenMotor<S>& m, const Slice<S>& s, const R& speed) {
   const R zero(0.0);
   const Lock<S> lock(m, s);
   const R power = s.power_scale * lock.damping_work + zero;
-  return {s.torque_scale * lock.low + zero,
+  return {s.torque_scale * (turns_back(speed) ? lock.high : lock.low) + zero,
           power,
           zero,
           power,
@@ -138,8 +144,7 @@ PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   if (value_of(m.threshold) == 0 || value_of(m.preload) == 0)
     return {zero, zero, zero, zero, zero, force};
   if (value_of(m.mean.amplitude) == 0) {
-    // At rest the limit of forward speeds, as everywhere.
-    const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * slipping_torque(m) + zero;
+    const R drag = (turns_back(speed) ? 1.0 : -1.0) * slipping_torque(m) + zero;
     return {drag, zero, -(drag * speed), zero, zero, force};
   }
   PointNumbers<R> sum = locked_slice(m, slices[0], speed);

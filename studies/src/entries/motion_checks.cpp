@@ -73,9 +73,9 @@ class MotionCheck {
     if (!oscillates() && motor_.stator.imbalance && *motor_.stator.imbalance != Imbalance{})
       say_of_motor("phases or modes are unequal (stator.imbalance), but a motion has one wave",
                    "leave out voltage_ratio, phase_error and mode_splitting");
-    if (motor_.stator.radial_motion)
-      say_of_motor("its surface also moves radially; a motion with radial motion would take hours",
-                   "write 'radial_motion: false' under stator");
+    if (oscillates() && motor_.stator.radial_motion)
+      say_of_motor("its surface also moves radially, which the oscillating engine does not compute",
+                   "write 'radial_motion: false' under stator, or leave out 'engine: oscillating'");
   }
 
   // What an axial motion of the averaged engine needs; the other engine has it anyway.

@@ -125,9 +125,6 @@ std::string missing_for_motion(const MotorDesign& motor, Metric metric) {
   const bool of_start = metric == Metric::start_time_at || metric == Metric::start_overshoot_at;
   if (!of_start && !motor.stator.voltage)
     return "a drive voltage; give 'voltage' instead of 'amplitude' in the motor file";
-  if (motor.stator.radial_motion)
-    return "a motor without radial motion, because a motion with it would take hours; set "
-           "'radial_motion: false' under 'stator' in the motor file";
   return {};
 }
 

@@ -55,7 +55,6 @@ PlantMotor::PlantMotor(const MotorDesign& design, const PlantTable& table)
 
 PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor) {
   if (!motion::has_integrator()) return {"this build has no integrator of motions"};
-  if (design.stator.radial_motion) return {"motions in time leave out the radial motion"};
   const motion::Motion exact = motion::simulate(design, start_and_stop(design));
   if (exact.status != "ok")
     return {"the motion with the exact contact ends early: " + exact.status};
