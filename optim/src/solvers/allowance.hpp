@@ -12,12 +12,15 @@ inline constexpr const char* kKnownOptimum = "KNOWN_OPTIMUM";
 
 /// Limits the requests of one solver run: the number of distinct points, and the number of requests in a row that
 /// need no evaluation. A solver in an endless loop returns to stored points, or asks for points that are not finite;
-/// a budget of evaluations does not end that. A run that has come to the known optimum of its Nlp gets no more points.
+/// a budget of evaluations does not end that. A run that has come to the known optimum of its Nlp gets no more points, and a local
+/// search none that no longer gains: where values end it may step across the end and back for ever.
 class Allowance {
  public:
+  enum class Search : unsigned char { local, global };
   /// Keeps a reference. @param points  distinct points; a request counts if its point differs from that of the
   /// request before
-  Allowance(Nlp& nlp, std::size_t points) : nlp_(nlp), points_(points) {}
+  Allowance(Nlp& nlp, std::size_t points, Search search)
+      : nlp_(nlp), points_(points), search_(search) {}
 
   /// Counts a request. False once a limit is exceeded; it then stays false.
   bool take(std::span<const double> z);
@@ -37,8 +40,14 @@ class Allowance {
   std::size_t points() const { return std::min(points_, nlp_.session().left()); }
 
  private:
+  bool gains();
+
   Nlp& nlp_;
   std::size_t points_;
+  Search search_;
+  std::size_t without_gain_{0};      // points in a row
+  double objective_{0}, excess_{0};  // of the last gain
+  bool feasible_{false}, any_{false};
   std::size_t requests_without_evaluation_{0};  // in a row
   std::size_t evaluations_{0};
   std::vector<double> last_;

@@ -50,7 +50,10 @@ void take_turn(IpoptTurn& turn, const Session& session) {
 class Bridge : public Ipopt::TNLP {
  public:
   Bridge(Nlp& nlp, std::span<const double> start, std::size_t calls, IpoptTurn& turn)
-      : nlp_(nlp), start_(start.begin(), start.end()), allowance_(nlp, calls), turn_(turn) {}
+      : nlp_(nlp),
+        start_(start.begin(), start.end()),
+        allowance_(nlp, calls, Allowance::Search::local),
+        turn_(turn) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian,
                     IndexStyleEnum& style) override {

@@ -41,7 +41,8 @@ class Bridge : public NloptRequests {
       : nlp(problem),
         gradient(a.gradient),
         rank_failures(a.compares_only),
-        allowance(nlp, settings.max_calls),
+        allowance(nlp, settings.max_calls,
+                  a.gradient && !a.global ? Allowance::Search::local : Allowance::Search::global),
         seed(settings.seed) {
     if (may_turn_for_ever(a))
       process.emplace(solver_process(), longest_step(nlp.size()),

@@ -307,9 +307,13 @@ CombinationResponses::Numbers CombinationResponses::values_of(
 
 namespace {
 
-// Stands for the reserve of a motor that runs, and where there is no least voltage or another limit is broken: to know it exactly
-// would cost ten times as much as the metrics.
+// Stands for a reserve that is not asked for, and where there is no least voltage.
 constexpr double kSomeReserve = 1;
+
+// With mu_0 > mu the reserve of a motor that runs costs a hundred times as much as its metrics, else as much or a few times.
+bool has_static_excess(const MotorDesign& motor) {
+  return motor.friction.threshold > motor.friction.kinetic;
+}
 
 // A response at the voltage that is missing, which follows the design.
 void follow_voltage(MetricDerivative& response, const MetricDerivative& voltage) {
@@ -365,22 +369,23 @@ void CombinationResponses::end_endless(Numbers& numbers) const {
 }
 
 // Where the voltage does not run the motor, its metrics are those at the least voltage that does (Y5.4): continuous where it just
-// runs, so that a search outside gets numbers; the reserves tell how far it has to go. Without derivatives, as for the samples of a
-// whole range, such a motor has no answer: it would cost ten times as much as the metrics.
+// runs, so that a search outside gets numbers; the reserves tell how far it has to go, and inside how near the end is. Without
+// derivatives, as for the samples of a whole range, a motor that does not run has no answer.
 CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
                                                             bool gradient) const {
   Numbers numbers = values_of(motor, evaluator_, gradient);
+  const bool lacks = lacks_values(numbers);
   Numbers reserves(responses_.size() - metrics_);
   for (MetricDerivative& one : reserves) one.value.value = kSomeReserve;
-  if (gradient && !reserves.empty() && lacks_values(numbers)) {
+  if (!reserves.empty() && (lacks ? gradient : !has_static_excess(motor))) {
     Numbers found = values_of(motor, reserves_, gradient);
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k].value.status == MetricStatus::ok) reserves[k] = found[k];
-    if (const auto missing = missing_voltage(motor, reserves)) {
+    const auto missing = lacks ? missing_voltage(motor, reserves) : std::nullopt;
+    if (missing) {
       numbers =
           values_of(with(motor, Parameter::voltage, missing->value.value), evaluator_, gradient);
-      if (gradient)
-        for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
+      for (MetricDerivative& one : numbers) follow_voltage(one, *missing);
     }
   }
   end_endless(numbers);

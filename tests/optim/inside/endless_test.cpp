@@ -135,7 +135,7 @@ TEST_CASE("asking for nothing but what is known ends a run", "[optim][nlp][budge
   for (const auto& circle : circles) {
     Stage stage(torn());
     Nlp nlp = stage.nlp();
-    Allowance allowance(nlp, static_cast<std::size_t>(-1));
+    Allowance allowance(nlp, static_cast<std::size_t>(-1), Allowance::Search::local);
     std::size_t asked = 0;
     while (asked < 100000 && allowance.take(circle[asked % circle.size()]))
       nlp.at(circle[asked++ % circle.size()], true);
