@@ -115,8 +115,10 @@ std::vector<Parallel::Quantity> variables_of(const ParetoResult& answer) {
 }
 
 Section along(const ParetoResult& answer) {
-  Section section{{"Along the front"},
-                  {"One line for each point: the goals, then the variables of the design."}};
+  Section section{
+      {"Along the front"},
+      {"The variables over the first goal; then a line for each point, through its goals and "
+       "variables."}};
   section.hook = "along";
   section.picture = "along-the-front";
   section.parallel.name = "parallel";
