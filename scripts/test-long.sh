@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties kill stop damage openturns no-ipopt no-gsl mpi slurm shared asan tsan valgrind coverage clang fuzz package pip lint)
+all_steps=(cases properties kind kill stop damage openturns no-ipopt no-gsl mpi slurm shared asan tsan valgrind coverage clang fuzz package pip lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -33,6 +33,11 @@ step_properties() {
   build ci && while read -r program; do
     RC_PARAMS="seed=$seed max_success=1000" "$program" || return 1
   done <build/ci/test_programs.txt
+}
+
+# A kind of study is added as CONTRIBUTING.md says, and answers everywhere.
+step_kind() {
+  build ci && python3 tests/exercise/new_kind_test.py build/ci
 }
 
 # Kills each example study at 50 random moments; its results must be those of an uninterrupted run.

@@ -21,30 +21,17 @@ export const rows = {
 /** Number of a row that the page holds, counted from 1 among all that are stored. */
 export function rowNumber(i) { return i * rows.every + (rows.offsets ? rows.offsets[i] : 0) + 1; }
 
-const curveColumns = [
-  'speed', 'torque', 'output_power', 'stator_power', 'friction_power', 'layer_loss', 'contact_efficiency',
-  'wear_intensity', 'stick_fraction', 'efficiency', 'stator_loss'
-];
+/** The columns of a curve by name, beside what else there is of it. */
+function readCurve(curve) {
+  const columns = curve.columns.map(({name, values}) => [name, numbers(values, Float64Array)]);
+  if (curve.one_slice_torque) columns.push(['one_slice_torque', numbers(curve.one_slice_torque, Float64Array)]);
+  const even = (_, i, all) => (curve.last_speed * i) / (all.length - 1);
+  if (curve.last_speed !== undefined) columns.push(['speed', columns[0][1].map(even)]);
+  return {...curve, ...Object.fromEntries(columns)};
+}
 
-/** What motors with modal data have besides. */
-export const terminalColumns = [
-  'amplitude', 'phase_lag', 'voltage', 'phase_current', 'power_factor', 'electrical_power', 'overall_efficiency',
-  'dielectric_loss'
-];
-
-export function atTerminals(curve) { return Boolean(curve.electrical_power); }
-
-export const curves = data.curves.map((c) => {
-  if (!c) return null;
-  const curve = {...c};
-  for (const name of curveColumns)
-    if (c[name]) curve[name] = numbers(c[name], Float64Array);
-  if (c.one_slice_torque) curve.one_slice_torque = numbers(c.one_slice_torque, Float64Array);
-  if (c.electrical_power)
-    for (const name of terminalColumns) curve[name] = numbers(c[name], Float64Array);
-  if (c.driver_loss) curve.driver_loss = numbers(c.driver_loss, Float64Array);
-  return curve;
-});
+/** The motors of the answer, of a front one for each point; null where a design makes no motor. */
+export const curves = data.curves.map((c) => c && readCurve(c));
 
 /** What a name stands for in the tables of the program: "torque_at" for "torque_at(100 rpm)". */
 export function tableRow(name) {

@@ -3,13 +3,13 @@
 
 import {numbers} from './bytes.js';
 import {paddedRange, scaled} from './chart.js';
-import {card, el, legend} from './dom.js';
+import {el} from './dom.js';
 import {figure} from './figure.js';
 import {degree, zoneNames} from './names.js';
 import {trackMaps} from './track.js';
 import {displayUnit, engineering, largest} from './units.js';
 import {axisLabel} from './words.js';
-import {nameZones, paintZones} from './zones.js';
+import {contactKey, contactLines, nameZones, paintZones} from './zones.js';
 
 function readFields(curve) {
   const f = curve.fields;
@@ -30,59 +30,49 @@ function readFields(curve) {
   };
 }
 
-const phaseLabel = 'phase of the wave, crest at 0 [deg]';
-
 /** Three charts of one motor that show the speed nearest to the one asked for. */
 class FieldsViewer {
-  constructor(nodes, fields, title) {
+  /** told: the charts without numbers */
+  constructor(nodes, told, fields, title) {
+    this.told = told;
     this.fields = fields;
     this.title = title;
     this.frame = null;
     this.degrees = Float64Array.from(fields.phase, (p) => p / degree);
-    this.tractionUnit = displayUnit(fields.static * largest([fields.pressure]), 'Pa');
-    this.velocityUnit = displayUnit(largest([fields.stator, ...fields.frames.map((f) => f.layer)]), 'm/s');
-    this.plots = [this.pressure(nodes[0]), this.traction(nodes[1]), this.velocity(nodes[2])];
+    const size = [
+      largest([fields.pressure]), fields.static * largest([fields.pressure]),
+      largest([fields.stator, ...fields.frames.map((f) => f.layer)])
+    ];
+    this.units = told.map((chart, k) => displayUnit(size[k], chart.y.unit));
+    this.plots = nodes.map((node, k) => this.chart(node, k, ...this.values(k)));
   }
 
-  chart(node, name, series, label, unit, range) {
+  /** Of a chart the values of its lines, and those that its axis holds. */
+  values(k) {
+    const {fields} = this;
+    const shown = (values) => scaled(values, this.units[k].divisor);
+    if (k === 0) return [[shown(fields.pressure)], [shown(fields.pressure)]];
+    if (k === 2)
+      return [
+        [shown(fields.stator), shown(fields.frames[0].layer)],
+        [fields.stator, ...fields.frames.map((f) => f.layer)].map(shown)
+      ];
+    const bound = shown(fields.pressure.map((p) => p * fields.static));
+    const below = bound.map((v) => -v);
+    return [[bound, below, shown(fields.frames[0].traction)], [bound, below]];
+  }
+
+  chart(node, k, lines, ends) {
     const {degrees} = this;
-    return figure(node, degrees, series, {
+    const {name, x, y} = this.told[k];
+    return figure(node, degrees, contactLines(this.told[k], lines), {
       name,
-      x: {label: phaseLabel, range: [degrees[0], degrees[degrees.length - 1]]},
-      y: {label: axisLabel(label, unit), range},
+      x: {label: x.name + ' [deg]', range: [degrees[0], degrees[degrees.length - 1]]},
+      y: {label: axisLabel(y.name, this.units[k]), range: paddedRange(ends, y.zero)},
       height: 210,
       ground: (u) => paintZones(u, this.frame?.zones ?? []),
       front: (u) => nameZones(u, this.frame?.zones ?? [])
     });
-  }
-
-  pressure(node) {
-    const unit = displayUnit(largest([this.fields.pressure]), 'Pa');
-    const y = scaled(this.fields.pressure, unit.divisor);
-    return this.chart(
-        node, 'pressure', [{name: 'pressure', y, colour: 'c0'}], 'pressure', unit, paddedRange([y], true));
-  }
-
-  /** Traction within its friction bounds. */
-  traction(node) {
-    const {fields, tractionUnit: unit} = this;
-    const bound = scaled(fields.pressure, unit.divisor / fields.static);
-    const below = bound.map((v) => -v);
-    const dashed = {colour: 'soft', dash: [5, 4]};
-    const series = [
-      {name: 'bound', y: bound, ...dashed}, {name: '-bound', y: below, ...dashed},
-      {name: 'traction', y: scaled(fields.frames[0].traction, unit.divisor), colour: 'c1'}
-    ];
-    return this.chart(node, 'traction', series, 'traction', unit, paddedRange([bound, below]));
-  }
-
-  velocity(node) {
-    const {fields, velocityUnit: unit} = this;
-    const stator = scaled(fields.stator, unit.divisor);
-    const layers = fields.frames.map((f) => scaled(f.layer, unit.divisor));
-    const series =
-        [{name: 'stator', y: stator, colour: 'c0'}, {name: 'layer', y: layers[0], colour: 'c1', dash: [7, 4]}];
-    return this.chart(node, 'velocity', series, 'surface velocity', unit, paddedRange([stator, ...layers]));
   }
 
   /** Shows the stored speed nearest to this one. */
@@ -96,35 +86,27 @@ class FieldsViewer {
     const [pressure, traction, velocity] = this.plots;
     const list = (values, unit) => Array.from(values, (v) => v / unit.divisor);
     pressure.redraw(false);
-    traction.setData([...traction.data.slice(0, 3), list(best.traction, this.tractionUnit)]);
-    velocity.setData([...velocity.data.slice(0, 2), list(best.layer, this.velocityUnit)]);
+    traction.setData([...traction.data.slice(0, 3), list(best.traction, this.units[1])]);
+    velocity.setData([...velocity.data.slice(0, 2), list(best.layer, this.units[2])]);
   }
 }
 
-const fieldsLegend = [
-  {name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area'}, {name: 'stick', colour: 'stick', kind: 'area'},
-  {name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area'},
-  {name: 'friction bound', colour: 'soft', kind: 'dash'}, {name: 'stator', colour: 'c0'},
-  {name: 'layer', colour: 'c1', kind: 'dash'}
-];
-
 /** The card of the fields; of several curves one is chosen, at a speed of the slider. */
 class FieldsCard {
-  constructor(list, names, all) {
+  constructor(node, charts, list, all) {
+    this.charts = charts;
     this.list = list;
     this.all = all;
     this.speed = null;
     this.title = el('div', {class: 'read', 'aria-live': 'polite', 'data-fields': 'title'});
     this.slider = el('input', {type: 'range', min: 0, max: 1000, value: 700, 'aria-label': 'speed'});
-    this.choice = el('select', {'aria-label': 'curve'}, names.map((name, i) => el('option', {value: i}, name)));
+    this.choice = el('select', {'aria-label': 'curve'}, list.map((c, i) => el('option', {value: i}, c.label)));
     this.body = el('div', {});
     this.slider.addEventListener('input', () => this.showAt((this.lastSpeed() * this.slider.value) / 1000));
     this.choice.addEventListener('change', () => this.build(Number(this.choice.value)));
-    const note = 'One contact zone of the wave at one speed: where the layer sticks to the stator, where it slips, ' +
-        'and the resulting stresses and velocities. The background colour shows the zone.';
     const curve = list.length > 1 ? el('label', {}, 'curve ', this.choice) : null;
     const tools = el('div', {class: 'tools'}, curve, el('label', {}, 'speed ', this.slider));
-    card('In the contact', note, 'wide', tools, this.title, legend(fieldsLegend), this.body);
+    node.append(tools, this.title, contactKey(charts), this.body);
   }
 
   lastSpeed() {
@@ -145,8 +127,8 @@ class FieldsCard {
     const panels = [el('div', {}), el('div', {}), el('div', {})];
     const over = el('div', {});
     this.body.replaceChildren(el('div', {class: 'triple'}, panels), over);
-    this.viewer = new FieldsViewer(panels, this.all[k], this.title);
-    this.maps = trackMaps(over, this.list[k]);
+    this.viewer = new FieldsViewer(panels, this.charts, this.all[k], this.title);
+    this.maps = trackMaps(over, this.list[k], this.charts[0].x.name);
     const asked = this.speed;
     this.show(asked ?? this.firstSpeed(k));
     this.speed = asked;  // until someone asks for one, each curve begins at its own
@@ -165,11 +147,12 @@ class FieldsCard {
   }
 }
 
-/** The fields of several curves, that of the number chosen first; null where no curve has fields. */
-export function fieldsSection(list, names, chosen) {
+/** The fields of several curves, those of the last one first; null where no curve has fields. */
+export function fieldsCard(node, charts, list) {
   const all = list.map(readFields);
   if (!all.some(Boolean)) return null;
-  const fields = new FieldsCard(list, names, all);
-  fields.build(all[chosen] ? chosen : all.findIndex(Boolean));
+  const fields = new FieldsCard(node, charts, list, all);
+  const last = all.length - 1;
+  fields.build(all[last] ? last : all.findIndex(Boolean));
   return fields;
 }

@@ -4,13 +4,13 @@
 import {colour} from './dom.js';
 import {figure} from './figure.js';
 import {extent, rampColour} from './ramp.js';
+import {numbersAt} from './telling.js';
 import {displayUnit, engineering, largest} from './units.js';
-import {axisLabel, plain, rampBar} from './words.js';
+import {axisLabel, rampBar} from './words.js';
 
 /** One side of a grid: the values of a column in order, and the edges of their cells in the unit shown. */
 class GridAxis {
   constructor(column) {
-    this.column = column;
     this.unit = displayUnit(largest([column.values]), column.unit);
     this.values = [...new Set(column.values)].sort((a, b) => a - b);
     const v = this.values;
@@ -75,10 +75,11 @@ const arrows = {
   ArrowUp: [0, 1]
 };
 
-/**
- * Colour map of a column over a grid of two others; the cell that is pointed at or stepped to is marked and read out.
- */
-export function heatMap(node, cx, cy, cz, hover) {
+/** The map of a chart of cells; the cell that is pointed at or stepped to is marked and read out. */
+export function heatMap(node, chart, hover) {
+  const [{x, y, z}] = chart.series;
+  const [cx, cy, cz] = [[chart.x, x], [chart.y, y], [chart.colours, z]].map(
+      ([{name, unit}, where]) => ({name, unit, values: numbersAt(where)}));
   const grid = new Grid(cx, cy);
   const {share} = extent(cz.values);
   const shade = (row) => (Number.isFinite(cz.values[row]) ? rampColour(share(cz.values[row])) : colour('faint'));
@@ -90,7 +91,7 @@ export function heatMap(node, cx, cy, cz, hover) {
     hover(row);
     u.redraw(false);
   };
-  const told = (row) => [cx, cy, cz].map((c) => [plain(c.name), engineering(c.values[row], c.unit)]);
+  const told = (row) => [cx, cy, cz].map((c) => [c.name, engineering(c.values[row], c.unit)]);
   const onMove = (_, u) => {
     if (u.cursor.left < 0) return;
     const [a, b] = [grid.x.at(u.posToVal(u.cursor.left, 'x')), grid.y.at(u.posToVal(u.cursor.top, 'y'))];
@@ -108,7 +109,7 @@ export function heatMap(node, cx, cy, cz, hover) {
   node.append(rampBar(cz));
   return figure(node, grid.x.range, [{name: cz.name, y: grid.y.range, colour: 'c0', hidden: true}], {
     name: 'heat',
-    title: plain(cz.name),
+    title: chart.title,
     x: {label: grid.x.label, range: grid.x.range},
     y: {label: grid.y.label, range: grid.y.range},
     height: 400,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page, from top to bottom: what came out, what is said of it in the order of the program, background.
 
-import {CurveSection} from './curve.js';
+import {curveHooks} from './curve.js';
 import {curves, data, rows, summary, tableRow, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {bullets, card, el, sentence} from './dom.js';
@@ -13,17 +13,6 @@ import {named, quantity, table, words} from './table.js';
 import {saidNodes, tellSections} from './telling.js';
 import {between, engineering, rounded} from './units.js';
 import {plain} from './words.js';
-
-/** The curves of the answer with the fields in the contact, which follow the cursor. */
-function curveHooks() {
-  const list = curves.filter(Boolean);
-  const section = list.length ? new CurveSection(list, list.map((c) => c.label)) : null;
-  return {
-    torque: (node, {heading}) => section?.torque(node, heading, data.limits),
-    others: () => section?.others(),
-    motor: () => section?.whole()
-  };
-}
 
 /** The motors of the answer, which are those of the last curves. */
 function motorFiles(node) {
@@ -154,21 +143,21 @@ function contents() {
     const node = title.closest('.card');
     node.id ||= 'part-' + (i + 1);
     const open = () => node.querySelector(':scope > details')?.setAttribute('open', '');
-    const text = node.id === 'chosen' ? 'Chosen point' : title.textContent;
-    return el('a', {href: '#' + node.id, onclick: open}, text);
+    return el('a', {href: '#' + node.id, onclick: open}, title.textContent);
   });
   return el('nav', {'aria-label': 'contents'}, links);
 }
 
-function build() {
+async function build() {
   document.title = summary.study + ' - twum';
   const page = document.getElementById('page');
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, data.headline.title)));
   verdictCard();
-  tellSections(hooks);
+  const told = tellSections(hooks);
   for (const section of background) section();
   evenHalves();
   page.querySelector('.verdict').after(contents());
+  await told;
   page.dataset.ready = 'yes';
 }
 

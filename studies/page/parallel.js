@@ -3,11 +3,9 @@
 
 import {colour, el, onTheme} from './dom.js';
 import {savePicture} from './figure.js';
+import {numbersAt} from './telling.js';
 import {displayUnit, largest, rounded} from './units.js';
 import {axisLabel} from './words.js';
-
-// More lines than these would be a grey block, and slow to draw.
-const mostLines = 1500;
 
 /**
  * Which one of the k-th `count` lines is drawn: any, since always the first would show a part of a grid or of a Sobol
@@ -19,8 +17,10 @@ function drawnOf(k, count) {
 }
 
 class Parallel {
-  constructor(node, columns, filter, choose) {
+  constructor(node, {axes, most}, filter, choose) {
+    const columns = axes.map((a) => ({...a, values: numbersAt(a.values)}));
     this.columns = columns;
+    this.most = most;
     this.filter = filter;
     this.choose = choose;
     this.marked = -1;
@@ -105,7 +105,7 @@ class Parallel {
 
   lines(ctx, pass, name, alpha) {
     const total = pass ? this.filter.total : this.filter.count - this.filter.total;
-    const every = Math.max(1, Math.ceil(total / mostLines));
+    const every = Math.max(1, Math.ceil(total / this.most));
     ctx.strokeStyle = colour(name);
     ctx.globalAlpha = Math.min(alpha, Math.max(0.05, (alpha * 60) / Math.max(total / every, 1)));
     let seen = 0;
@@ -248,9 +248,9 @@ class Parallel {
   }
 }
 
-/** Parallel coordinates of some columns; choose(i) marks a line. */
-export function parallelChart(node, columns, filter, choose) {
-  const parallel = new Parallel(node, columns, filter, choose);
+/** Parallel coordinates of a section; choose(i) marks a line. */
+export function parallelChart(node, told, filter, choose) {
+  const parallel = new Parallel(node, told, filter, choose);
   return {
     choose(i) {
       parallel.marked = i;

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The front: the point that one chooses, and where it stands in every picture.
 
-import {curvesChart} from './curve.js';
-import {curves, data, summary, unitOf} from './data.js';
+import {data, summary} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {card, colour, el} from './dom.js';
 import {keepFocus, logButtons} from './figure.js';
 import {Filter} from './filter.js';
 import {savedMotor} from './motor.js';
 import {parallelChart} from './parallel.js';
-import {draw, saidNodes, seriesOfChart, toldTable} from './telling.js';
-
-/** A goal may be a parameter, or a statistic of the motors built to a design. */
-function frontValue(i, name) {
-  const {metrics, design, statistics} = summary.front[i];
-  return metrics[name] ?? design[name] ?? (statistics || {})[name] ?? NaN;
-}
+import {draw, numbersAt, saidNodes, seriesOfChart, toldTable} from './telling.js';
 
 /** A ring about the point chosen. */
 function ringAbout(u, x, y) {
@@ -72,15 +65,6 @@ class FrontChart {
   }
 }
 
-/** Goals, then the variables, as columns over the points. */
-function frontColumns() {
-  const goals = summary.objectives.map((o) => o.metric);
-  const design = [...new Set(summary.front.flatMap((point) => Object.keys(point.design)))];
-  const names = [...goals, ...design.filter((n) => !goals.includes(n))];
-  const values = (name) => Float64Array.from(summary.front, (_, i) => frontValue(i, name));
-  return names.map((name) => ({name, unit: unitOf(name), values: values(name)}));
-}
-
 /** What a page adds to the sections of a front. */
 class Front {
   constructor() {
@@ -95,14 +79,14 @@ class Front {
   }
 
   place() {
-    this.node = card(null, null, 'wide');
+    this.node = card('Chosen point', null, 'wide');
     this.node.id = 'chosen';
   }
 
-  along(node) {
+  along(node, {parallel}) {
     node.append(el('p', {}, 'Drag along an axis to select points; Escape shows all.'));
-    const columns = frontColumns();
-    this.lines = parallelChart(node, columns, new Filter(columns, summary.front.length), (i) => this.choose(i));
+    const columns = parallel.axes.map(({values}) => ({values: numbersAt(values)}));
+    this.lines = parallelChart(node, parallel, new Filter(columns, summary.front.length), (i) => this.choose(i));
     this.choose(summary.knee ?? 0);
   }
 
@@ -121,10 +105,7 @@ class Front {
         el('h2', {}, head.heading), ...saidNodes(head),
         savedMotor(data.files[i], designerButton(summary.front[i].design, 'point ' + (i + 1))),
         el('div', {class: 'pair'}, left, right));
-    if (curves[i])
-      curvesChart(
-          left, [curves[i]], ['torque'], 'torque', 'torque',
-          {limits: data.limits[i], title: 'Torque of point ' + (i + 1)});
+    for (const chart of head.charts) draw(left, chart, {height: 300});
     left.append(...head.tables.map(toldTable));
     right.append(...metrics.tables.map(toldTable), el('p', {class: 'soft'}, metrics.note));
     for (const part of limits)
@@ -136,5 +117,5 @@ class Front {
 export function frontHooks() {
   const front = new Front();
   const choose = Object.assign((node, section) => front.trade(node, section), {draws: true});
-  return {choose, chosen: () => front.place(), along: (node) => front.along(node)};
+  return {choose, chosen: () => front.place(), along: (node, section) => front.along(node, section)};
 }

@@ -2,11 +2,12 @@
 // Draws what the program says about an answer: sections of sentences, tables and charts. It decides nothing.
 
 import {bandLegend, drawBands} from './bands.js';
-import {logRange, paddedRange, scaled} from './chart.js';
-import {data, summary} from './data.js';
+import {drawSqueals, logRange, paddedRange, scaled} from './chart.js';
+import {curves, data, rows, summary} from './data.js';
 import {bold, bullets, card, colour, el, sentence, svg} from './dom.js';
-import {figure} from './figure.js';
+import {figure, keepFocus} from './figure.js';
 import {drawGuides, drawLevel, drawPath, hatch} from './guides.js';
+import {drawLimits} from './limits.js';
 import {table} from './table.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
 
@@ -28,9 +29,14 @@ function valueAt(value, keys) {
   return keys[0] === '*' ? value.map(further) : further(value[keys[0]]);
 }
 
-/** Numbers of a chart: a list, or a path into summary.json. */
-function numbersAt(where) {
-  const list = typeof where === 'string' ? valueAt(summary, where.split('/')) : where;
+/** The number of the column of the rows that numbers of a chart are; -1 if they are none. */
+export function columnAt(where) { return rows.columns.findIndex((c) => where === 'rows/' + c.name); }
+
+/** Numbers of a chart: a list, a column of the rows, or a path into summary.json or into the curves. */
+export function numbersAt(where) {
+  const column = columnAt(where);
+  if (column >= 0) return rows.columns[column].values;
+  const list = typeof where === 'string' ? valueAt({...summary, motors: curves}, where.split('/')) : where;
   return Float64Array.from(list, (v) => v ?? NaN);
 }
 
@@ -68,8 +74,8 @@ function dotsOn(grid, {x, y}) {
 
 /** Values between the points of a line, nothing beyond them: straight, or those of the last point. */
 function lineOn(grid, {stroke, x, y}) {
-  const falls = x[x.length - 1] < x[0];
-  const [from, to] = falls ? [[...x].reverse(), [...y].reverse()] : [x, y];
+  const order = [...x.keys()].sort((i, j) => x[i] - x[j]);
+  const [from, to] = [x, y].map((values) => order.map((i) => values[i]));
   let i = 0;
   return Float64Array.from(grid, (v) => {
     if (!(v >= from[0] && v <= from[from.length - 1])) return NaN;
@@ -99,7 +105,8 @@ const signs = {
   dashes: 'dash',
   dots: 'dot',
   outline: 'dash',
-  bars: 'area'
+  bars: 'area',
+  stack: 'area'
 };
 
 /** Entries of the key, each name once. */
@@ -108,6 +115,8 @@ function legendOf(series, guides) {
       (s) =>
           [{name: s.name, colour: s.colour, kind: signs[s.stroke] ?? ''},
            ...(s.low ? [{name: s.band, colour: s.colour, kind: 'area'}] : [])]);
+  const of = series.length > 1 ? 'soft' : 'c0';
+  list.push(...series.map((s) => ({name: s.state, colour: of, kind: 'broad'})));
   if (guides.some((g) => g.kind === 'limit')) list.push({name: 'limit', colour: 'c1', kind: ''});
   if (guides.some((g) => g.kind === 'quantile' && g.text)) list.push({name: 'quantile', colour: 'ink', kind: 'dash'});
   return list.filter((e, i) => e.name && list.findIndex((o) => o.name === e.name) === i);
@@ -130,14 +139,31 @@ export function seriesOfChart(chart) {
                           }));
 }
 
+/** Parts of a whole on top of each other, each up to its upper edge; nothing where one is negative. */
+function stackedUp(list) {
+  const sums = new Float64Array(list.length ? list[0].y.length : 0);
+  return list.map((s) => {
+    if (s.stroke !== 'stack') return s;
+    s.y.forEach((v, i) => {
+      sums[i] += v >= 0 ? v : NaN;
+    });
+    return {...s, part: s.y, y: sums.slice()};
+  });
+}
+
 /** Lines with the edges of their bands behind all of them, in the units shown. */
 function drawnSeries(list, grid, divisor) {
-  const lines = list.map((s) => ({name: s.name, colour: s.colour, ...looks[s.stroke], y: onGrid(grid, s)}));
+  const isFirst = (s, k) => s.stroke === 'stack' && list[k - 1]?.stroke !== 'stack';
+  const lines = list.map(
+      (s, k) => ({name: s.name, colour: s.colour, ...looks[s.stroke], area: isFirst(s, k), y: onGrid(grid, s)}));
   const banded = list.filter((s) => s.low);
   const edges = banded.flatMap(
       (s) => [s.low, s.high].map((y) => ({name: s.band, colour: s.colour, hidden: true, y: onGrid(grid, {...s, y})})));
   const fill = (s) => () => colour(s.colour) + '40';
   const bands = banded.map((s, i) => ({series: [lines.length + 2 * i + 2, lines.length + 2 * i + 1], fill: fill(s)}));
+  list.forEach((s, k) => {
+    if (s.stroke === 'stack' && !isFirst(s, k)) bands.push({series: [k + 1, k], fill: () => colour(s.colour) + 'aa'});
+  });
   return {series: [...lines, ...edges].map((s) => ({...s, y: scaled(s.y, divisor)})), lines: lines.length, bands};
 }
 
@@ -152,7 +178,8 @@ function readingOf(chart, grid, list, shown, divisors, i) {
       ['between', shownValue(grid[i], x.unit) + ' and ' + shownValue(grid[i + 1], x.unit)],
       [y.name, shownValue(bars.reduce((sum, s) => sum + s.y[i], 0), y.unit)]
     ];
-  const values = list.map((s, k) => [s.name || y.name, shown[k].y[i] * divisors.y]).filter(([, v]) => !Number.isNaN(v));
+  const own = (s, k) => (s.part ? onGrid(grid, {...s, y: s.part})[i] : shown[k].y[i] * divisors.y);
+  const values = list.map((s, k) => [s.name || y.name, own(s, k)]).filter(([, v]) => !Number.isNaN(v));
   return [[x.name, shownValue(grid[i], x.unit)], ...values.map(([name, v]) => [name, shownValue(v, y.unit)])];
 }
 
@@ -161,7 +188,8 @@ function readingOf(chart, grid, list, shown, divisors, i) {
  * more: further options of figure(), and log: {x, y}, which axes are logarithmic
  */
 export function draw(node, chart, more = {}) {
-  const all = seriesOfChart(chart);
+  if (chart.asked) return drawAsked(node, chart, more);
+  const all = stackedUp(seriesOfChart(chart));
   const isPath = ({stroke}) => stroke === 'path' || stroke === 'contour';
   const [paths, list] = [all.filter(isPath), all.filter((s) => !isPath(s))];
   const grid = gridOf(list);
@@ -170,11 +198,13 @@ export function draw(node, chart, more = {}) {
   const {series, lines: count, bands} = drawnSeries(list, grid, up.divisor);
   const x = scaled(grid, across.divisor);
   const marks = chart.marks.map((m) => ({...m, x: m.x / across.divisor, y: m.y / up.divisor, small: !m.text}));
+  const bounds = chart.bounds.map((b) => ({...b, x: b.x / across.divisor, y: b.y / up.divisor}));
   const log = more.log ?? {};
   let ranges = [
     rangeOf(chart.x, across, [x, ...lines.map((s) => s.x)], log.x),
     rangeOf(
-        chart.y, up, [...series.map((s) => s.y), ...lines.map((s) => s.y), Float64Array.from(marks.map((m) => m.y))],
+        chart.y, up,
+        [...series.map((s) => s.y), ...lines.map((s) => s.y), Float64Array.from([...marks, ...bounds].map((m) => m.y))],
         log.y)
   ];
   if (chart.round) ranges = alike(ranges);
@@ -201,12 +231,28 @@ export function draw(node, chart, more = {}) {
       if (chart.least !== null) hatch(u, ranges[0][0], chart.least / across.divisor);
       if (chart.most !== null) hatch(u, chart.most / across.divisor, ranges[0][1]);
       lines.forEach((s) => drawPath(u, s));
+      drawSqueals(u, list.map((s) => s.broad ?? []));
     },
     front: (u, taken) => {
       drawGuides(u, guides, taken);
+      drawLimits(u, bounds, taken);
       more.front?.(u, taken);
     }
   });
+}
+
+/** A chart with a button that adds the series that are drawn when asked for. */
+function drawAsked(node, chart, more) {
+  const holder = node.appendChild(el('div', {}));
+  const {asked: text, more: further, ...plain} = chart;
+  const show = (on) => {
+    const press = () => keepFocus(holder, text, () => show(!on));
+    const button = el('button', {type: 'button', 'aria-pressed': String(on), onclick: press}, text);
+    holder.replaceChildren();
+    const series = on ? [...chart.series, ...further] : chart.series;
+    return draw(holder, {...plain, series}, {...more, buttons: [...(more.buttons ?? []), button]});
+  };
+  return show(false);
 }
 
 /** Rows of bars over one scale. entries: [{name, value, low, high, second, text}] */
@@ -287,32 +333,52 @@ function drawTables(node, {tables, folded}) {
   if (drawn.length) node.append(...(folded ? [el('details', {}, el('summary', {}, 'Numbers'), ...drawn)] : drawn));
 }
 
-/** A section of the page. Several charts stand beside each other. */
-function tell(section, hooks) {
-  const hook = hooks[section.hook];
-  if (!section.heading) return hook();
-  const node = card(section.heading, section.note.length ? phrase(section.note) : null, section.wide ? 'wide' : 'half');
-  const several = section.charts.length > 1;
+/** The charts of a section; several stand beside each other. */
+function drawCharts(node, {charts, columns, wide}) {
+  const several = charts.length > 1;
   const holder = several ? node.appendChild(el('div', {class: 'charts'})) : node;
-  if (section.columns) {
+  if (columns) {
     // On a narrow screen a matrix moves under its frame.
-    holder.style.gridTemplateColumns = 'repeat(' + section.columns + ', minmax(90px, 1fr))';
+    holder.style.gridTemplateColumns = 'repeat(' + columns + ', minmax(90px, 1fr))';
     holder.style.overflowX = 'auto';
   }
-  const height = section.columns ? 170 : section.wide && !several ? 300 : 240;
-  if (!hook?.draws)
-    for (const chart of section.charts) {
-      const place = several ? holder.appendChild(el('div', {})) : node;
-      if (chart) draw(place, chart, {height});
-    }
-  if (section.bars) drawBars(node, section.bars, section.tables[0]);
-  node.append(...saidNodes(section));
-  drawTables(node, section);
-  hook?.(node, section);
-  return node;
+  const height = columns ? 170 : wide && !several ? 300 : 240;
+  for (const chart of charts) {
+    const place = several ? holder.appendChild(el('div', {})) : node;
+    if (chart) draw(place, chart, {height});
+  }
 }
 
-/** Every section that the program has for this answer. hooks: by name, what a section has besides */
-export function tellSections(hooks) {
-  for (const section of data.sections) tell(section, hooks);
+/** Makes the card of a section of the page; what fills it. */
+function tell(section, hooks) {
+  const hook = hooks[section.hook];
+  if (!section.heading) {
+    hook();
+    return () => {};
+  }
+  const node = card(section.heading, section.note.length ? phrase(section.note) : null, section.wide ? 'wide' : 'half');
+  return () => {
+    if (!hook?.draws) drawCharts(node, section);
+    if (section.bars) drawBars(node, section.bars, section.tables[0]);
+    node.append(...saidNodes(section));
+    drawTables(node, section);
+    hook?.(node, section);
+  };
+}
+
+/** When what is there can be seen. */
+function seen() {
+  return new Promise((done) => (document.hidden ? setTimeout(done) : requestAnimationFrame(() => setTimeout(done))));
+}
+
+/**
+ * Every section that the program has for this answer: at once their cards, and what is in them up to the first picture;
+ * the others once this can be seen. hooks: by name, what a section has besides
+ */
+export async function tellSections(hooks) {
+  const fill = data.sections.map((section) => tell(section, hooks));
+  const first = data.sections.findIndex(({charts, bars}) => charts.length || bars);
+  for (const work of fill.splice(0, first + 1)) work();
+  await seen();
+  for (const work of fill) work();
 }

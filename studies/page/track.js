@@ -63,7 +63,7 @@ function outline(u, rows, edges) {
 /** One quantity over the track. */
 class TrackMap {
   /** values(frame): of each radius after the other; largest: of all frames */
-  constructor(node, track, {name, unit, most, values}) {
+  constructor(node, track, phase, {name, unit, most, values}) {
     this.track = track;
     this.frame = track.frames[0];
     this.values = values;
@@ -77,7 +77,7 @@ class TrackMap {
     this.plot = figure(node, rx, [{name, y: ry, colour: 'c0', hidden: true}], {
       name: 'track ' + name,
       title: name + ' over the track' + (shown.text ? ' [' + shown.text + ']' : ''),
-      x: {label: 'phase of the wave, crest at 0 [deg]', range: rx},
+      x: {label: phase + ' [deg]', range: rx},
       y: {label: 'radius [mm]', range: ry},
       height: 240,
       points: false,
@@ -112,8 +112,11 @@ class TrackMap {
   }
 }
 
-/** The maps of a curve with a track; null for one slice. show(speed) shows the stored speed nearest to it. */
-export function trackMaps(node, curve) {
+/**
+ * The maps of a curve with a track, phase: what is across; null for one slice. show(speed) shows the stored speed
+ * nearest to it.
+ */
+export function trackMaps(node, curve, phase) {
   const track = readTrack(curve);
   if (!track) return null;
   const note =
@@ -122,9 +125,10 @@ export function trackMaps(node, curve) {
   node.append(el('h3', {}, 'Over the track'), el('p', {class: 'soft'}, note), el('div', {class: 'pair'}, left, right));
   const maps = [
     new TrackMap(
-        left, track, {name: 'pressure', unit: 'Pa', most: largest([track.pressure]), values: () => track.pressure}),
+        left, track, phase,
+        {name: 'pressure', unit: 'Pa', most: largest([track.pressure]), values: () => track.pressure}),
     new TrackMap(
-        right, track,
+        right, track, phase,
         {name: 'slip speed', unit: 'm/s', most: largest(track.frames.map((f) => f.slip)), values: (f) => f.slip})
   ];
   return {

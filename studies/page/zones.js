@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Zones of stick and slip under a chart over the phase of the wave.
 
-import {colour} from './dom.js';
+import {colour, legend} from './dom.js';
 import {degree, zoneColours, zoneNames} from './names.js';
 
 /** Both ends of a zone on the canvas, within the plot. */
@@ -33,4 +33,26 @@ export function nameZones(u, zones) {
       ctx.fillText(zoneNames[state], (a + b) / 2, u.bbox.top + 3 * devicePixelRatio);
   }
   ctx.restore();
+}
+
+/** What the zones of charts over the phase are, and the lines that are not named by their axis. */
+export function contactKey(charts) {
+  const zones = [
+    {name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area'},
+    {name: 'stick', colour: 'stick', kind: 'area'},
+    {name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area'}
+  ];
+  const lines = charts.flatMap(({y, series}) => series.filter((s) => s.name !== y.name));
+  return legend([
+    ...zones, ...lines.map(({name, colour: c, stroke}) => ({name, colour: c, kind: stroke === 'dashes' ? 'dash' : ''}))
+  ]);
+}
+
+/** The lines of a chart over the phase, with their values; a bound has two lines, above and below. */
+export function contactLines({series}, values) {
+  const spare = values.length - series.length;
+  return values.map((y, i) => {
+    const {name, colour: c, stroke} = series[Math.max(0, i - spare)];
+    return {name, colour: c, y, dash: stroke === 'dashes' ? [5, 4] : undefined};
+  });
 }

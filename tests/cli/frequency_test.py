@@ -107,7 +107,7 @@ class Frequency(program.Case):
             self.ok("frequency", DRIVE, "--plot", self.folder / name)
         picture = (self.folder / "a.svg").read_bytes()
         self.assertEqual(picture, (self.folder / "b.svg").read_bytes())
-        for words in (b"frequency [kHz]", b"amplitude", b"pulls out below", b"phase current"):
+        for words in (b"frequency [kHz]", b"amplitude", b"pull-out below", b"current of a phase"):
             self.assertIn(words, picture)
 
     def test_what_cannot_be_swept_is_refused(self):

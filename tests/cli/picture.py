@@ -29,13 +29,16 @@ class Picture:
                 self.lines.setdefault(element.get("stroke"), []).append(points)
             self.pieces.setdefault(element.get("stroke"), []).extend(pieces)
 
-        self.dots = {}
+        self.dots, self.rises = {}, []  # triangles that point up
         for element in root.iter(SVG + "use"):
             place = re.match(r"translate\((-?[\d.]+),(-?[\d.]+)\)", element.get("transform") or "")
-            if place:
+            if place and element.get(LINK) == "#gpPt8":
+                self.rises.append((float(place[1]), float(place[2])))
+            elif place:
                 self.dots.setdefault(element.get("color"), []).append((float(place[1]), float(place[2])))
         for colour, places in self.dots.items():
             self.dots[colour] = [place for place in places if not self.in_key(*place)]
+        self.rises = [place for place in self.rises if not self.in_key(*place)]
         self.boxes = {}
         for element in root.iter(SVG + "polygon"):
             points = [tuple(map(float, p)) for p in re.findall(r"(-?[\d.]+),(-?[\d.]+)", element.get("points"))]

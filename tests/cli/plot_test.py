@@ -104,7 +104,7 @@ class Curve(program.Case):
         self.ok("curve", RING, "--plot", path)
         head = path.read_bytes()[:24]
         self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">II", head[16:24]), (1440, 1720))
+        self.assertEqual(struct.unpack(">II", head[16:24]), (1440, 1708))
         self.assertGreater(path.stat().st_size, 20000)
 
     def test_the_same_picture_every_time_beside_the_same_table(self):

@@ -87,7 +87,7 @@ class Pictures(program.Case):
         self.assertTrue({"stall torque [N·m]", "no-load speed [rpm]", "largest stall torque", "largest no-load speed"} <= set(picture.words()))
         preload = [point["design"]["preload"] for point in self.summary["front"]]
         count = len(preload)
-        self.assert_places(pictures["along-the-front"].dots[BLUE][count:2 * count], [p["stall_torque"] for p in front], preload)
+        self.assert_places(pictures["along-the-front"].dots[BLUE][:count], [p["stall_torque"] for p in front], preload)
         goals = [[point[goal["metric"]] for point in front] for goal in self.summary["objectives"]]
         design = [[point["design"][name] for point in self.summary["front"]] for name in self.summary["front"][0]["design"]]
         self.assert_parallel(pictures["parallel"], goals + design)
@@ -122,7 +122,7 @@ class Pictures(program.Case):
         picture = pictures["curves"]
         self.assertTrue({"before", "best design", "at least", "torque [mN·m]", "speed [rpm]"} <= set(picture.words()))
         # The best design carries the duty of 0.5 N.m at 100 rpm, and its speed falls from there: the triangle is on or below the line.
-        (x, y), = [dot for dot in picture.dots["rgb(  0,   0,   0)"]]
+        (x, y), = [place for place in picture.rises if place[1] < 320]  # in the first panel
         line = picture.lines[VERMILION][0]
         above = [height for place, height in line if abs(place - x) < 2]
         self.assertTrue(above and min(above) <= y + 1.5, (x, y, above))
@@ -135,7 +135,7 @@ class Pictures(program.Case):
 
     def test_histograms_count_every_motor(self):
         pictures = self.drawn("tolerances")
-        self.assertTrue({"histogram-stall_torque", "histogram-peak_power", "curve", "fields"} <= set(pictures))
+        self.assertTrue({"histogram-stall_torque", "histogram-peak_power", "curves", "fields"} <= set(pictures))
         torque = self.columns["stall_torque"]
         boxes = pictures["histogram-stall_torque"].boxes
         heights = {colour: sum(low - high for _, _, high, low in boxes[colour]) for colour in (BLUE, VERMILION)}
@@ -202,7 +202,7 @@ class Pictures(program.Case):
 
     def test_a_calibration_shows_points_fit_and_residuals(self):
         pictures = self.drawn("calibrate")
-        self.assertEqual(set(pictures), {"fit", "residuals", "curve", "fields"} | {f"profile-{name}" for name in self.summary["estimates"]})
+        self.assertEqual(set(pictures), {"fit", "residuals", "curves", "fields"} | {f"profile-{name}" for name in self.summary["estimates"]})
         data = self.summary["data"]
         measured = pictures["fit"].dots["rgb(  0,   0,   0)"]
         self.assert_places(measured, [p["speed"] for p in data], [p["torque"] for p in data])
@@ -305,7 +305,7 @@ class Command(program.Case):
         path = self.write("it's `touch hacked` $x_2.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: curve, family: {{preload: [100 N, 160 N]}}}}\n")
         self.ok("run", path, "-o", self.folder / "out", cwd=self.folder)
         self.ok("plot", self.folder / "out", cwd=self.folder)
-        self.assertIn("it's `touch hacked` $x_2: torque-speed curves", Picture(self.folder / "out/plots/curves.svg").words())
+        self.assertIn("it's `touch hacked` $x_2: curves", Picture(self.folder / "out/plots/curves.svg").words())
         self.assertFalse(list(self.folder.glob("**/hacked")))
 
     def test_what_is_no_finished_study_is_refused(self):
@@ -332,7 +332,7 @@ class Command(program.Case):
                                     "metrics: [speed_at(0.5 N.m), holding_torque], variables: {preload: {sd: 3 %}}}\n")
         self.ok("run", path, "-o", self.folder / "out")
         names = {pathlib.Path(line).stem for line in self.ok("plot", self.folder / "out").splitlines()}
-        self.assertEqual(names, {"histogram-holding_torque", "scatter-preload-holding_torque", "curve", "fields"})
+        self.assertEqual(names, {"histogram-holding_torque", "scatter-preload-holding_torque", "curves", "fields"})
 
     def test_without_gnuplot(self):
         text = self.refused("plot", self.result(), status=3, env={"PATH": str(self.folder)})

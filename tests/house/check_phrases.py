@@ -5,9 +5,8 @@ import re
 import tree
 
 WORDS, LETTERS = 2, 14  # of a phrase; what is shorter is a name or a word of the trade
-# Where names and meanings of metrics and parameters stand; those of the quantities on the axes of a picture of the contact.
+# Where names and meanings of metrics and parameters stand.
 TABLES = {"core/src/metrics/metric_table.cpp", "core/src/design/motor_rows.hpp", "studies/motors/src/metrics/plain_name.cpp"}
-AXES = {"phase of the wave, crest at 0", "surface velocity"}
 
 COMMENT = r"//[^\n]*|/\*.*?\*/"
 CPP = re.compile(COMMENT + r'|R"(?P<tag>\w*)\((?P<raw>.*?)\)(?P=tag)"|"(?P<text>(?:\\.|[^"\\\n])*)"|\'(?:\\.|[^\'\\])\'|[^\s]', re.S)
@@ -45,7 +44,7 @@ def phrases(text, pattern, joint):
 
 def names():
     """What metrics and parameters are called."""
-    found = set(AXES)
+    found = set()
     for path in TABLES:
         if (tree.ROOT / path).exists():
             for literal in re.findall(r'"([^"\n]+)"', tree.text(tree.ROOT / path)):

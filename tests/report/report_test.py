@@ -72,8 +72,8 @@ class Numbers(Page):
         left, above, width, height = self.box("torque")
         self.browser.move(left + width / 2, above + height / 2)
         read = self.text('[data-chart="torque"] + .read')
-        self.assertRegex(read, r"at [\d.]+ rpm")
-        speed = float(re.search(r"at ([\d.]+) rpm", read)[1])
+        self.assertRegex(read, r"speed [\d.]+ rpm")
+        speed = float(re.search(r"speed ([\d.]+) rpm", read)[1])
         # Half the axis, to the nearest of 301 points.
         self.assertAlmostEqual(speed, last / 2, delta=last / 300)
 
@@ -212,7 +212,7 @@ class Numbers(Page):
         self.browser.key("ArrowDown")
         self.assertIn("preload 200 N", self.text("[data-chart=heat] + .read"))
         # From there to the cell with the most of the metric, which reads as the summary says.
-        name = self.browser.value("rows.columns[document.querySelectorAll('select[aria-label=metric]')[0].value * 1 + 2].name")
+        name = self.browser.value("data.sections[0].charts[document.querySelector('select[aria-label=metric]').value].series[0].z").removeprefix("rows/")
         most = summary["metrics"][name]
         sides = [sorted(set(self.browser.value("[...rows.columns.find((c) => c.name === '%s').values]" % v))) for v in ("amplitude", "preload")]
         across, up = (side.index(most["highest"]["design"][v]) - side.index(at) for side, v, at in zip(sides, ("amplitude", "preload"), (sides[0][-2], sides[1][-2])))

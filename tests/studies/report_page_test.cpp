@@ -38,6 +38,7 @@ Json page_data(const std::string& entries, Answer answer, const std::string& tex
   const StudyFile study = study_of(entries);
   StudyResult result;
   result.kind = study.kind();
+  result.motor = study.motor.name;
   result.answer = std::move(answer);
   const std::string page = report_html(study, text, result, store);
   const std::string begin = "id=\"data\">";
@@ -151,8 +152,10 @@ TEST_CASE("an optimum has its curve beside that of the start", "[studies][report
 
 TEST_CASE("a front has a curve for each point, in its place", "[studies][report]") {
   ParetoResult front;
+  front.goals = {{"stall_torque", "N.m", true}, {"no_load_speed", "rad/s", true}};
   for (const double newtons : {100.0, -1.0, 200.0}) {
     front.front.emplace_back();
+    front.front.back().goals = {newtons, 1 / newtons};
     front.front.back().report.design = {preload(newtons)};
   }
   const Json data =
@@ -164,7 +167,10 @@ TEST_CASE("a front has a curve for each point, in its place", "[studies][report]
   CHECK(data["curves"][1].is_null());  // no motor, but the place is kept
   CHECK(data["curves"][2]["design"]["preload"] == 200);
   CHECK_FALSE(data["curves"][2].contains("fields"));
-  CHECK(data["points"].size() == 3);
+  REQUIRE(data["points"].size() == 3);
+  const Json torque = data["points"][2]["sections"][0]["charts"][0]["series"][0];
+  CHECK(torque["y"] == "motors/2/torque");
+  CHECK(data["points"][1]["sections"][0]["charts"].empty());
 }
 
 TEST_CASE("a fit has its curve and its band, where something was estimated", "[studies][report]") {

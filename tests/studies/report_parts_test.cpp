@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,21 @@ namespace {
 
 MotorDesign elastic_motor() {
   return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml").design;
+}
+
+// The curve in a page of a motor with some of its parameters replaced.
+Json curve_of(const MotorDesign& base, const std::vector<NamedValue>& values = {},
+              bool whole = true) {
+  std::optional<telling::MotorCurve> curve = telling::motor_curve("x", base, values, 161);
+  REQUIRE(curve);
+  curve->whole = whole;
+  return curve_json(*curve);
+}
+
+std::vector<double> column(const Json& curve, const std::string& name) {
+  for (const Json& one : curve["columns"])
+    if (one["name"] == name) return numbers<double>(one["values"]);
+  return {};
 }
 
 std::vector<StoredColumn> torque_columns() { return {{"preload", "N"}, {"stall_torque", "N.m"}}; }
@@ -64,27 +80,26 @@ TEST_CASE("the module of a page is encoded as Ascii85 is, with other letters",
 
 TEST_CASE("the curve of a report begins at the torque of the plateau (C8.5)", "[studies][report]") {
   const ElasticLayer exact{elastic_motor()};
-  const Json curve =
-      curve_json(exact.motor, {{"preload", 120}, {"unknown", 1}}, "x", Detail::torque);
+  const Json curve = curve_of(exact.motor, {{"preload", "N", 120}, {"unknown", "1", 1}}, false);
   CHECK(curve["label"] == "x");
   CHECK(curve["design"]["preload"] == 120);
   CHECK(curve["design"]["amplitude"] == 1.6e-6);  // that of the base
   CHECK_FALSE(curve.contains("fields"));
-  const auto torque = numbers<double>(curve["torque"]);
-  const auto speed = numbers<double>(curve["speed"]);
-  REQUIRE(torque.size() == speed.size());
+  const auto torque = column(curve, "torque");
+  REQUIRE(torque.size() == 161);
   // Products of a few factors, summed over zones.
   CHECK_THAT(torque[0], WithinRel(exact.plateau_torque(120), 1e-12));
   CHECK_THAT(curve["metrics"]["stall_torque"].get<double>(),
              WithinRel(exact.plateau_torque(120), 1e-12));
   // A little beyond no-load (C8.6), whose root is solved to about 1e-12.
-  CHECK_THAT(speed.back(), WithinRel(1.05 * exact.no_load(exact.angle_of_preload(120)), 1e-10));
+  CHECK_THAT(curve["last_speed"].get<double>(),
+             WithinRel(1.05 * exact.no_load(exact.angle_of_preload(120)), 1e-10));
   CHECK(torque.back() < 0);
 }
 
 TEST_CASE("the fields of a report add up to preload and torque", "[studies][report]") {
   const MotorDesign design = elastic_motor();
-  const Json fields = curve_json(design, {}, "x", Detail::fields)["fields"];
+  const Json fields = curve_of(design)["fields"];
   CHECK(fields["kinetic"] == 0.2);
   CHECK(fields["static"] == 0.2);
   const auto phase = numbers<float>(fields["phase"]);
@@ -114,15 +129,15 @@ TEST_CASE("the fields of a report add up to preload and torque", "[studies][repo
 }
 
 TEST_CASE("a motor out of contact has a curve without fields", "[studies][report]") {
-  const Json curve = curve_json(elastic_motor(), {{"preload", 0}}, "x", Detail::fields);
+  const Json curve = curve_of(elastic_motor(), {{"preload", "N", 0}});
   CHECK(curve["fields"].is_null());
-  for (const double torque : numbers<double>(curve["torque"])) CHECK(torque == 0);
+  for (const double torque : column(curve, "torque")) CHECK(torque == 0);
 }
 
 TEST_CASE("only speeds with a periodic state have fields", "[studies][report]") {
   // Full contact, no damping, and a static friction above the kinetic one: near rest it never repeats.
-  const DesignValues values{{"preload", 20e3}, {"static_friction", 0.4}};
-  const Json fields = curve_json(elastic_motor(), values, "x", Detail::fields)["fields"];
+  const std::vector<NamedValue> values{{"preload", "N", 20e3}, {"static_friction", "1", 0.4}};
+  const Json fields = curve_of(elastic_motor(), values)["fields"];
   const MotorDesign pressed = with(elastic_motor(), Parameter::preload, 20e3);
   const Motor motor(with(pressed, Parameter::static_friction, 0.4));
   std::vector<double> answered;
@@ -136,14 +151,13 @@ TEST_CASE("only speeds with a periodic state have fields", "[studies][report]") 
 }
 
 TEST_CASE("values that make no motor have no curve", "[studies][report]") {
-  const MotorDesign base = elastic_motor();
-  CHECK(curve_json(base, {{"preload", -1}}, "x", Detail::fields).is_null());
+  CHECK_FALSE(telling::motor_curve("x", elastic_motor(), {{"preload", "N", -1}}, 11));
 }
 
 TEST_CASE("a value that is no number is left out of a design", "[studies][report]") {
-  const DesignValues values = design_values(
-      {{"preload", "N", 160}, {"amplitude", "m", std::numeric_limits<double>::quiet_NaN()}});
-  CHECK(values == DesignValues{{"preload", 160.0}});
+  const Json curve = curve_of(elastic_motor(), {{"preload", "N", 150}, {"amplitude", "m", kNaN}});
+  CHECK(curve["design"]["preload"] == 150);
+  CHECK(curve["design"]["amplitude"] == elastic_motor().stator.amplitude);
 }
 
 TEST_CASE("rows of a report are those of the store", "[studies][report]") {

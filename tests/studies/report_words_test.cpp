@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,6 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRpm = std::numbers::pi / 30;
 
 // torque_at(120 rpm) >= `limit` at a motor that has `value`.
 LimitState torque_limit(double limit, double value) {
@@ -120,20 +118,12 @@ TEST_CASE("names are told as one reads them, metrics at a point with their place
           "[studies][report]") {
   const Json columns = Json::parse(
       R"json([{"name": "speed_at(1 N.m)"}, {"name": "lining"}, {"name": "quantile(stall_torque, 5 %)"}])json");
-  const Json limits = Json::parse(R"json([{"metric": "torque_at(80 rpm)"}])json");
-  const Json names = names_json(columns, limits);
-  const Json& torque = names["torque_at(80 rpm)"];
-  CHECK(torque["text"] == "torque at 80 rpm");
-  CHECK(torque["metric"] == "torque_at");
-  CHECK(torque["argument"] == "speed");
-  CHECK_THAT(torque["at"].get<double>(), WithinRel(80 * kRpm, 1e-15));
-  CHECK(names["speed_at(1 N.m)"]["argument"] == "torque");
+  const Json names = names_json(columns);
+  CHECK(names["speed_at(1 N.m)"] == Json{{"text", "speed at 1\u00a0N·m"}, {"metric", "speed_at"}});
   CHECK(names["quantile(stall_torque, 5 %)"]["text"] == "5 % quantile of the stall torque");
   CHECK(names["lining"] == Json{{"text", "lining"}});
   CHECK(names["thickness"] == Json{{"text", "contact layer thickness"}});
   CHECK(names["max_efficiency"]["text"] == "max efficiency (including stator loss)");
-  // Of a front each point has limits of its own.
-  CHECK(names_json(columns, Json::array({limits, limits})) == names);
 }
 
 TEST_CASE("each reason of a missing answer is told once", "[studies][report]") {

@@ -227,3 +227,21 @@ TEST_CASE("in Markdown neighbouring parts that stand out share one pair of marks
   CHECK(markdown(Phrase{strong("a"), " b ", strong("c")}) == "**a** b **c**");
   CHECK(markdown(Phrase{}).empty());
 }
+
+TEST_CASE("a notebook draws neither maps nor crowds, nor what pictures alone have",
+          "[studies][telling]") {
+  Section section{{"Designs"}};
+  Chart chart{"designs", {"designs"}, {{"preload"}, "N"}, {{"torque"}, "N.m"}};
+  chart.series = {{"", Stroke::dots, {"", {1, 2}}, {"", {3, 4}}}};
+  section.charts = {chart};
+  CHECK_THAT(html(std::vector<Section>{section}), Contains("<svg"));
+  Section printed = section;
+  printed.on_page = false;
+  CHECK(html(std::vector<Section>{printed}).empty());
+  Section map = section;
+  map.charts.front().colours = {{"power"}, "W"};
+  CHECK(html(std::vector<Section>{map}).empty());
+  Section crowd = section;
+  crowd.charts.front().series.front().y.values.resize(100000);
+  CHECK(html(std::vector<Section>{crowd}).empty());
+}

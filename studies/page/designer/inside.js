@@ -33,7 +33,13 @@ async function openInReport(design, name) {
       insideReport.panel.openMotor(motor);
     else
       insideReport.panel = new DesignerPanel(
-          node, {...data.designer, parameters: data.parameters, metrics: data.metrics, reasons: data.reasons},
+          node, {
+            ...data.designer,
+            parameters: data.parameters,
+            metrics: data.metrics,
+            reasons: data.reasons,
+            contact: data.contact
+          },
           new Core(await compiledCore(document.getElementById('core').textContent)), motor);
   } catch (error) {
     if (error instanceof TypeError || error instanceof ReferenceError) throw error;

@@ -79,13 +79,3 @@ export function motorCharts(panel, torque, power, efficiency) {
     ofTerminals: others.map((one) => /** @type {HTMLElement} */ (one.ofTerminals))
   };
 }
-
-export function zoneLegend() {
-  return legend([
-    {name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area'},
-    {name: 'stick', colour: 'stick', kind: 'area'},
-    {name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area'},
-    {name: 'friction bound', colour: 'soft', kind: 'dash'}, {name: 'stator', colour: 'c0'},
-    {name: 'layer', colour: 'c1', kind: 'dash'}
-  ]);
-}

@@ -5,13 +5,14 @@ import {keyStep} from '../chart.js';
 import {el} from '../dom.js';
 import {capital, shortName} from '../names.js';
 import {engineering, percent} from '../units.js';
+import {contactKey} from '../zones.js';
 
 import {ParameterRow, partTitles, Tiles} from './controls.js';
 import {CoreError} from './core.js';
 import {HoldView} from './hold.js';
 import {LeftOut} from './left_out.js';
 import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
-import {motorCharts, zoneLegend} from './motor_charts.js';
+import {motorCharts} from './motor_charts.js';
 import {SectionView} from './section.js';
 import {StartStop} from './start_stop.js';
 import {DesignState} from './state.js';
@@ -19,8 +20,7 @@ import {designerTools, stepKeys} from './tools.js';
 import {FieldsView, WaveView} from './wave.js';
 
 const curvePoints = 161;
-// of a motor that takes longer than a frame, until there is time for more
-const quickPoints = 61;
+const quickPoints = 61;  // of a motor that takes longer than a frame, until there is time for more
 // [ms] a curve of all slices that takes longer comes with fewer points first
 const slowCurve = 50;
 let panels = 0;
@@ -30,7 +30,7 @@ const restDelay = 40;
 export class DesignerPanel {
   /**
    * @param {HTMLElement} node
-   * @param {any} tables  parameters, metrics, reasons, units, materials
+   * @param {any} tables  parameters, metrics, reasons, units, materials, charts of the contact
    * @param {import('./core.js').Core} core
    * @param {import('./state.js').StatedMotor} motor
    */
@@ -77,7 +77,7 @@ export class DesignerPanel {
         el('div', {class: 'right'}, panelCard(null, 'numbers', tiles), panelCard(null, 'chief', torque),
            el('div', {class: 'pair'}, panelCard(null, '', power), panelCard(null, '', efficiency)),
            panelCard(
-               'In the contact', '', this.fieldsTitle, wave, zoneLegend(),
+               'In the contact', '', this.fieldsTitle, wave, contactKey(this.tables.contact.slice(1)),
                el('div', {class: 'pair'}, traction, velocity)),
            panelCard('Load, limits and a constant metric', '', this.limits.node),
            panelCard('Drive adjusted to a load', '', this.hold.node),
@@ -92,7 +92,7 @@ export class DesignerPanel {
     this.squeals = squeals;
     this.ofTerminals = ofTerminals;
     this.wave = new WaveView(wave);
-    this.fields = new FieldsView([traction, velocity]);
+    this.fields = new FieldsView([traction, velocity], this.tables.contact);
     this.section = new SectionView(section);
     this.limits.show(this.state.view);
   }

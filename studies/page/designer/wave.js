@@ -6,7 +6,7 @@ import {chart, paddedRange} from '../chart.js';
 import {colour, el, onTheme} from '../dom.js';
 import {degree, zoneColours} from '../names.js';
 import {displayUnit, largest} from '../units.js';
-import {nameZones, paintZones} from '../zones.js';
+import {contactLines, nameZones, paintZones} from '../zones.js';
 
 import {axisText} from './charts.js';
 
@@ -142,24 +142,21 @@ export class WaveView {
 
 /** Traction within its bounds, and the two surface velocities, over the phase of the wave. */
 export class FieldsView {
-  constructor(nodes) {
+  /** told: the charts of the contact without numbers */
+  constructor(nodes, told) {
     this.zones = [];
+    this.told = told;
+    const [, traction, velocity] = told;
     const common = {
-      x: {label: 'phase of the wave, crest at 0 [deg]', range: () => this.xRange ?? [-180, 180]},
+      x: {label: traction.x.name + ' [deg]', range: () => this.xRange ?? [-180, 180]},
       height: 200,
       ground: (u) => paintZones(u, this.zones),
       front: (u) => nameZones(u, this.zones)
     };
-    this.traction = chart(
-        nodes[0], [],
-        [
-          {name: 'bound', y: [], colour: 'soft', dash: [5, 4]}, {name: '-bound', y: [], colour: 'soft', dash: [5, 4]},
-          {name: 'traction', y: [], colour: 'c1'}
-        ],
-        {...common, name: 'traction', y: {label: 'traction', range: () => this.tractionRange ?? [-1, 1]}});
-    this.velocity = chart(
-        nodes[1], [], [{name: 'stator', y: [], colour: 'c0'}, {name: 'layer', y: [], colour: 'c1', dash: [7, 4]}],
-        {...common, name: 'velocity', y: {label: 'surface velocity', range: () => this.velocityRange ?? [-1, 1]}});
+    const drawn = (node, of, empty, range) =>
+        chart(node, [], contactLines(of, empty), {...common, name: of.name, y: {label: of.y.name, range}});
+    this.traction = drawn(nodes[0], traction, [[], [], []], () => this.tractionRange ?? [-1, 1]);
+    this.velocity = drawn(nodes[1], velocity, [[], []], () => this.velocityRange ?? [-1, 1]);
   }
 
   show(fields, half, friction) {
@@ -179,8 +176,8 @@ export class FieldsView {
     this.tractionRange = [-top, top];
     const [stator, layer] = [list(fields.stator, speed.divisor), list(fields.layer, speed.divisor)];
     this.velocityRange = paddedRange([stator, layer], true);
-    this.traction.axes[1].label = axisText('traction', bound);
-    this.velocity.axes[1].label = axisText('surface velocity', speed);
+    this.traction.axes[1].label = axisText(this.told[1].y.name, bound);
+    this.velocity.axes[1].label = axisText(this.told[2].y.name, speed);
     this.traction.setData([phase, limit, limit.map((v) => -v), list(fields.traction, bound.divisor)]);
     this.velocity.setData([phase, stator, layer]);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "datasheet/parts.hpp"
+#include "telling/curve_charts.hpp"
 
 #include <twum/io/engineering.hpp>
 #include <twum/io/number.hpp>
@@ -66,7 +67,7 @@ std::vector<OperatingPoint> driving_points(const Motor& motor) {
 }
 
 SheetChart chart_of(const Motor& motor) {
-  const EfficiencyKind efficiency = efficiency_kind(motor.design());
+  const telling::EfficiencyKind efficiency = telling::efficiency_kind(motor.design());
   SheetChart chart{
       driving_points(motor),
       1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "datasheet/parts.hpp"
 
+#include "telling/curve_charts.hpp"
 #include "telling/load_parts.hpp"
 
 #include <twum/core/life.hpp>
@@ -41,19 +42,7 @@ std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
   return lines;
 }
 
-constexpr EfficiencyKind kOverall{"overall efficiency",
-                                  [](const OperatingPoint& p) { return p.overall_efficiency(); }};
-constexpr EfficiencyKind kStatorToo{"efficiency",
-                                    [](const OperatingPoint& p) { return p.efficiency(); }};
-constexpr EfficiencyKind kContactAlone{
-    "contact efficiency", [](const OperatingPoint& p) { return p.contact_efficiency(); }};
-
 }  // namespace
-
-EfficiencyKind efficiency_kind(const MotorDesign& design) {
-  if (has_modal_data(design)) return kOverall;
-  return modal_damping(design) > 0 ? kStatorToo : kContactAlone;
-}
 
 std::vector<Line> performance(const Motor& motor) {
   std::vector<Line> lines = numbers_of(motor, false);
@@ -66,7 +55,7 @@ std::vector<Line> electrical(const Motor& motor) { return numbers_of(motor, true
 
 std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated) {
   if (rated.status != PointStatus::ok) return {{{"no answer"}, {to_string(rated.status)}}};
-  const EfficiencyKind efficiency = efficiency_kind(design);
+  const telling::EfficiencyKind efficiency = telling::efficiency_kind(design);
   std::vector<Line> lines;
   for (const CurveColumn& column : curve_columns(design)) {
     const std::string_view name = column.name;

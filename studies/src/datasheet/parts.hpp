@@ -35,14 +35,6 @@ std::string list(const std::vector<Line>& lines);
 /// A value; efficiencies in per cent.
 telling::Part shown(double value, std::string_view unit, std::string_view name = {});
 
-/// The most complete efficiency that a motor has: overall with modal data, of contact and stator if only the damping
-/// is given, else of the contact.
-struct EfficiencyKind {
-  const char* name;
-  double (*value)(const OperatingPoint&);
-};
-EfficiencyKind efficiency_kind(const MotorDesign& design);
-
 /// The motor cut along its axis, to scale, with the names of its parts.
 std::string section(const MotorDesign& design);
 

@@ -21,6 +21,7 @@ struct Rows;
 template <typename... S>
 struct Rows<std::variant<S...>> {
   static constexpr std::array<std::string_view, sizeof...(S)> kNames{S::kName...};
+  static constexpr std::array<std::string_view, sizeof...(S)> kTitles{S::kTitle...};
   static std::array<Shape<Study>, sizeof...(S)> shapes() { return {any(S::shape())...}; }
 };
 using Kinds = Rows<Study>;
@@ -51,6 +52,8 @@ Shape<MotorEntry> motor_as(const Shape<T>& shape) {
 std::span<const std::string_view> study_kinds() { return Kinds::kNames; }
 
 std::string_view to_string(StudyKind kind) { return Kinds::kNames[static_cast<std::size_t>(kind)]; }
+
+std::string_view title_of(StudyKind kind) { return Kinds::kTitles[static_cast<std::size_t>(kind)]; }
 
 std::optional<StudyKind> find_study_kind(std::string_view name) {
   for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {

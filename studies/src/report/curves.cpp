@@ -4,7 +4,6 @@
 #include "report/encode.hpp"
 #include "report/track.hpp"
 
-#include <twum/base/error.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
 #include <twum/core/parameters.hpp>
@@ -13,34 +12,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 namespace twum::studies {
 namespace {
 
-// Enough points for a smooth curve of some 700 pixels.
-constexpr std::size_t kCurvePoints = 161;
 // A field every 2 % of the speed, 100 places across the contact.
 constexpr std::size_t kFieldSpeeds = 51;
 constexpr double kFieldPlaces = 100;
 
 using Numbers = std::vector<double>;
 using Floats = std::vector<float>;
-
-std::optional<Motor> motor_of(const MotorDesign& base, const DesignValues& values) {
-  std::vector<ParameterValue> replaced;
-  for (const auto& [name, value] : values) {
-    if (const auto parameter = find_parameter(name)) replaced.emplace_back(*parameter, value);
-  }
-  try {
-    return Motor(with(base, replaced));
-  } catch (const InputError&) {
-    return {};  // a design that is not admissible has no curve
-  }
-}
 
 // Half the width of the window over the contact that is shown [rad].
 double window_of(const Motor& motor) {
@@ -97,14 +80,6 @@ Json fields_json(const Motor& motor) {
   return json;
 }
 
-// [[first, last], ...]: the speeds at which the motor squeals [rad/s].
-Json squeals_json(const Motor& motor) {
-  Json json = Json::array();
-  for (const auto& [first, last] : squeal_ranges(motor, curve_speeds(motor, kFieldSpeeds)))
-    json.push_back({first, last});
-  return json;
-}
-
 Json metrics_json(const Motor& motor) {
   const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
   std::vector<MetricValue> values(metrics.size());
@@ -115,45 +90,51 @@ Json metrics_json(const Motor& motor) {
   return json;
 }
 
-}  // namespace
-
-DesignValues design_values(const std::vector<NamedValue>& values) {
-  DesignValues numbers;
-  for (const NamedValue& value : values) {
-    if (std::isfinite(value.value)) numbers[value.name] = value.value;
+// What tables of points and charts need: all columns of a curve, or the torque alone over speeds that are equally spaced.
+Json columns_json(const telling::MotorCurve& curve) {
+  std::vector<CurveColumn> columns = curve_columns(curve.motor.design());
+  if (!has_modal_data(curve.motor.design()))
+    columns.push_back({"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }});
+  if (!curve.whole) columns = {columns[1]};
+  Json json = Json::array();
+  for (const CurveColumn& column : columns) {
+    Numbers numbers;
+    for (const OperatingPoint& point : curve.points) numbers.push_back(column.value(point));
+    json.push_back({{"name", column.name}, {"unit", column.unit}, {"values", base64(numbers)}});
   }
-  return numbers;
+  return json;
 }
 
-Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
-                Detail detail) {
-  const std::optional<Motor> motor = motor_of(base, values);
-  if (!motor) return nullptr;
-  const std::vector<double> speeds = curve_speeds(*motor, kCurvePoints);
-  std::vector<OperatingPoint> points;
-  for (const double speed : speeds) points.push_back(motor->operating_point(speed));
-  Json json{{"label", label}, {"design", Json::object()}, {"metrics", metrics_json(*motor)}};
-  for (const ParameterInfo& row : parameter_table()) {
-    if (is_given(motor->design(), row.parameter))
-      json["design"][std::string(row.name)] = get(motor->design(), row.parameter);
-  }
-  const auto add = [&](const char* name, auto value) {
-    Numbers numbers;
-    for (const OperatingPoint& point : points) numbers.push_back(value(point));
-    json[name] = base64(numbers);
-  };
-  json["squeals"] = squeals_json(*motor);
-  if (detail == Detail::torque) {
-    add("speed", [](const OperatingPoint& p) { return p.speed; });
-    add("torque", [](const OperatingPoint& p) { return p.torque; });
+}  // namespace
+
+Json design_json(const MotorDesign& design) {
+  Json json = Json::object();
+  for (const ParameterInfo& row : parameter_table())
+    if (is_given(design, row.parameter)) json[std::string(row.name)] = get(design, row.parameter);
+  return json;
+}
+
+Json curve_json(const telling::MotorCurve& curve) {
+  const Motor& motor = curve.motor;
+  Json json{{"label", curve.name},
+            {"design", design_json(motor.design())},
+            {"metrics", metrics_json(motor)},
+            {"columns", columns_json(curve)}};
+  if (!curve.whole) {
+    json["last_speed"] = curve.points.back().speed;
     return json;
   }
-  for (const CurveColumn& one : curve_columns(motor->design())) add(one.name, one.value);
-  add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
-  add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
-  json["one_slice_torque"] = one_slice_torque_json(*motor, speeds);
-  json["fields"] = fields_json(*motor);
-  json["track"] = track_json(*motor);
+  Numbers speeds;
+  for (const OperatingPoint& point : curve.points) speeds.push_back(point.speed);
+  json["one_slice_torque"] = one_slice_torque_json(motor, speeds);
+  json["fields"] = fields_json(motor);
+  json["track"] = track_json(motor);
+  return json;
+}
+
+Json curves_json(const std::vector<telling::MotorCurve>& curves) {
+  Json json = Json::array();
+  for (const telling::MotorCurve& curve : curves) json[curve.place] = curve_json(curve);
   return json;
 }
 

@@ -3,29 +3,21 @@
 
 #include "results/answers.hpp"
 
-#include <twum/core/motor_design.hpp>
+#include <twum/studies/telling.hpp>
 
-#include <map>
-#include <string>
 #include <vector>
 
 /// Curves and fields that a report shows; internal.
 namespace twum::studies {
 
-/// Values of some parameters, by flat name [SI].
-using DesignValues = std::map<std::string, double>;
+/// The given parameters of a design, by flat name [SI].
+Json design_json(const MotorDesign& design);
 
-/// The values that are numbers, by name.
-DesignValues design_values(const std::vector<NamedValue>& values);
+/// {"label", "design", "metrics", "columns": [{"name", "unit", "values": base64}, ...]} of one motor; of a whole curve also
+/// "one_slice_torque", "fields" and "track", of others "last_speed".
+Json curve_json(const telling::MotorCurve& curve);
 
-enum class Detail : unsigned char {
-  torque,  ///< the torque alone
-  fields,  ///< every quantity, and the fields in the contact
-};
-
-/// {"label", "design", "metrics", "speed": base64, ..., "one_slice_torque", "fields", "track"} of one motor; null if
-/// the values are not those of a valid motor.
-Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
-                Detail detail);
+/// Those of an answer at their places; null at others.
+Json curves_json(const std::vector<telling::MotorCurve>& curves);
 
 }  // namespace twum::studies

@@ -5,6 +5,7 @@
 #include "report/encode.hpp"
 #include "report/page_parts.hpp"
 #include "report/tables.hpp"
+#include "telling/renderers.hpp"
 
 #include <twum/base/version.hpp>
 
@@ -16,6 +17,7 @@ std::string designer_html(const MotorFile& motor) {
                   {"parameters", parameters_json("")},
                   {"metrics", metrics_json("")},
                   {"reasons", reasons_json()},
+                  {"contact", telling::charts_json(telling::contact_charts())},
                   {"units", units_json()},
                   {"materials", materials_json()},
                   {"left_out", left_out_metrics_json(motor.design)},

@@ -16,17 +16,13 @@
 namespace twum::studies {
 namespace {
 
-// What a metric at a point measures, and where: {"metric", "argument", "at"}.
+// What a metric at a point measures: {"metric"}.
 void add_request(Json& json, const std::string& name) {
   try {
     const MetricExpression expression = parse_metric(name);
     const MetricRequest* request = expression.request();
-    if (request == nullptr || request->argument == Argument::none) return;
-    json["metric"] = info(request->metric).name;
-    json["argument"] = request->argument == Argument::both    ? "both"
-                       : request->argument == Argument::speed ? "speed"
-                                                              : "torque";
-    json["at"] = request->at;
+    if (request != nullptr && request->argument != Argument::none)
+      json["metric"] = info(request->metric).name;
   } catch (const ValueError&) {
     return;  // such as a parameter, or a column of words
   }
@@ -56,7 +52,7 @@ std::string meaning_of(std::string_view reason) {
 
 }  // namespace
 
-Json names_json(const Json& columns, const Json& limits) {
+Json names_json(const Json& columns) {
   using namespace telling;
   Json names = Json::object();
   const auto add = [&](const std::string& name) {
@@ -67,9 +63,6 @@ Json names_json(const Json& columns, const Json& limits) {
   for (const ParameterInfo& row : parameter_table()) add(std::string(row.name));
   for (const MetricInfo& row : metric_table()) add(std::string(row.name));
   for (const Json& column : columns) add(column["name"]);
-  for (const Json& list :
-       limits.is_null() || limits.empty() || limits[0].is_array() ? limits : Json::array({limits}))
-    for (const Json& limit : list) add(limit["metric"]);
   return names;
 }
 

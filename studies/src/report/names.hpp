@@ -6,10 +6,8 @@
 /// What names in a result mean, so that the page does not have to parse texts; internal.
 namespace twum::studies {
 
-/// {name: {"text": as one reads it}} of every parameter, metric, column and limited metric; of a metric at a point also
-/// {"metric", "argument": "speed", "torque" or "both", "at": SI}.
-/// @param limits  see curve_limits_json()
-Json names_json(const Json& columns, const Json& limits);
+/// {name: {"text": as one reads it}} of every parameter, metric and column; of a metric at a point also {"metric"}.
+Json names_json(const Json& columns);
 
 /// {reason of a missing answer: what it means} of those in a summary
 Json failures_json(const Json& summary);

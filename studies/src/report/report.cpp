@@ -22,74 +22,8 @@
 namespace twum::studies {
 namespace {
 
-void add(Json& curves, Json curve) {
-  if (!curve.is_null()) curves.push_back(std::move(curve));
-}
-
-// The curves that the page of an answer shows.
-struct AnswerCurves {
-  const MotorDesign& base;
-  std::string name;  // of the motor
-
-  std::string member_name(const CurveResult& answer, const CurveResult::Member& member) const {
-    using namespace telling;
-    return answer.family ? written({name_part(answer.family->name), " ",
-                                    value_part(member.value, answer.family->unit)},
-                                   Writing::read)
-                         : name;
-  }
-
-  Json operator()(const CurveResult& answer) const {
-    Json curves = Json::array();
-    for (const CurveResult::Member& member : answer.members) {
-      const DesignValues values =
-          answer.family ? DesignValues{{answer.family->name, member.value}} : DesignValues{};
-      add(curves, curve_json(base, values, member_name(answer, member), Detail::fields));
-    }
-    return curves;
-  }
-
-  Json operator()(const ParetoResult& answer) const {
-    Json curves = Json::array();
-    for (const ParetoResult::Point& point : answer.front)
-      curves.push_back(
-          curve_json(base, design_values(point.report.design), "torque", Detail::torque));
-    return curves;
-  }
-
-  Json operator()(const OptimizeResult& answer) const {
-    Json curves = Json::array();
-    add(curves, curve_json(base, design_values(answer.before_design), "before", Detail::fields));
-    if (answer.found)
-      add(curves,
-          curve_json(base, design_values(answer.best.design), "best design", Detail::fields));
-    return curves;
-  }
-
-  Json operator()(const CalibrateResult& answer) const {
-    Json curves = Json::array();
-    for (const std::string& file : answer.files())
-      add(curves, curve_json(base, design_values(answer.motor_values(file)),
-                             file.empty() ? "fitted motor" : file, Detail::fields));
-    return curves;
-  }
-
-  // Studies of many motors show the curve of the study's motor.
-  template <typename Other>
-  Json operator()(const Other& /*answer*/) const {
-    Json curves = Json::array();
-    add(curves, curve_json(base, {}, name, Detail::fields));
-    return curves;
-  }
-};
-
-Json base_json(const MotorDesign& base) {
-  Json json = Json::object();
-  for (const ParameterInfo& row : parameter_table()) {
-    if (is_given(base, row.parameter)) json[std::string(row.name)] = get(base, row.parameter);
-  }
-  return json;
-}
+// Enough points for a smooth curve of some 700 pixels.
+constexpr std::size_t kCurvePoints = 161;
 
 // Motor files of the answer, in the order of its points; empty if a design is not a valid motor.
 Json files_json(const StudyFile& study, const StudyResult& result) {
@@ -111,14 +45,13 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   Json summary = summary_value(result);
   if (summary.contains("map")) summary["map"].erase("points");  // they are the rows
   const Json rows = rows_json(store);
-  const telling::Sources sources{&study, &store};
-  const Json limits = telling::curve_limits_json(result.answer);
-  const Json design = base_json(base);
+  const std::vector<telling::MotorCurve> curves = telling::motor_curves(result, kCurvePoints);
+  const telling::Sources sources{&study, &store, &curves};
+  const Json design = design_json(base);
   const std::string named = text + design.dump();
   Json data{
       {"summary", summary},
-      {"names", names_json(rows["columns"], limits)},
-      {"limits", limits},
+      {"names", names_json(rows["columns"])},
       {"headline", telling::headline_json(telling::headline(result))},
       {"sections", telling::sections_json(telling::sections(result, sources))},
       {"points", telling::points_json(result.answer, sources)},
@@ -129,11 +62,10 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
       {"parameters", parameters_json(named)},
       {"metrics", metrics_json(named)},
       {"reasons", reasons_json()},
+      {"contact", telling::charts_json(telling::contact_charts())},
       {"efficiencies", efficiencies_json()},
       {"designer", {{"motor", stated_motor_json(study.motor.name, base)}, {"units", units_json()}}},
-      {"curves",
-       std::visit(AnswerCurves{base, study.motor.name.empty() ? "motor" : study.motor.name},
-                  result.answer)},
+      {"curves", curves_json(curves)},
       {"rows", rows}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
   // The data are inserted last, so that no text in them is mistaken for a mark.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/curve_charts.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/tellings.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 namespace twum::studies::telling {
@@ -67,10 +69,8 @@ Phrase efficiency_note(const std::vector<NamedValue>& metrics) {
       "contact. Efficiency also includes the loss in the vibrating stator, so it is smaller."};
 }
 
-std::vector<Section> sections_of(const CurveResult& answer, const Sources& /*sources*/) {
+std::vector<Section> sections_of(const CurveResult& answer, const Sources& sources) {
   if (answer.members.empty()) return {};
-  Section torque{{"Torque"}};
-  torque.hook = "torque";
   Section metrics{{"Metrics"}, efficiency_note(answer.members.front().metrics)};
   for (const CurveMember& member : answer.members) {
     if (member.failed == 0) continue;
@@ -80,7 +80,10 @@ std::vector<Section> sections_of(const CurveResult& answer, const Sources& /*sou
             " points could not be computed."});
   }
   metrics.tables = {metric_table(answer)};
-  return {torque, metrics, hooked("others")};
+  std::vector<Section> list = torque_sections({"Torque"}, sources);
+  list.push_back(std::move(metrics));
+  std::ranges::move(curve_sections(sources), std::back_inserter(list));
+  return list;
 }
 
 }  // namespace twum::studies::telling

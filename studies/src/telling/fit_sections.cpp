@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
 #include "results/calibration_words.hpp"
+#include "telling/curve_charts.hpp"
 #include "telling/fit_charts.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/tellings.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace twum::studies::telling {
@@ -262,12 +264,6 @@ std::vector<Section> plan(const CalibrateResult& answer) {
   return {section};
 }
 
-Section curves(const std::string& title) {
-  Section section{{title}};
-  section.hook = "torque";
-  return section;
-}
-
 Section fitted_page() {
   Section section{{"Motor file of the fit"}};
   section.hook = "motor file";
@@ -283,7 +279,7 @@ std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& s
   };
   if (answer.unmeasured) {
     add(plan(answer));
-    add({curves("The motor"), hooked("others")});
+    add(motor_sections(sources));
     return list;
   }
   if (answer.estimates.empty()) return {points(answer)};
@@ -297,8 +293,10 @@ std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& s
   for (const Fitted& e : answer.estimates) values.push_back(e.parameter);
   add(moves_sections(values, answer.moves, "", answer.folded ? fold_words() : ""));
   add(plan(answer));
-  add({curves(answer.files().size() > 1 ? "The fitted motors" : "The fitted motor"),
-       hooked("others"), fitted_page()});
+  add(torque_sections({answer.files().size() > 1 ? "The fitted motors" : "The fitted motor"},
+                      sources));
+  add(curve_sections(sources));
+  list.push_back(fitted_page());
   return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/search_words.hpp"
 #include "results/standings.hpp"
+#include "telling/curve_charts.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/limit_parts.hpp"
 #include "telling/tellings.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -91,10 +93,47 @@ void add_binding(std::vector<Phrase>& list, const ParetoResult& answer, const st
     });
 }
 
+bool changes(const Numbers& numbers) {
+  constexpr double kRounding = 1e-6;
+  const auto [low, high] = std::ranges::minmax(numbers.values);
+  return high - low > kRounding * std::fabs(high);
+}
+
+// The variables of the points, which all points have in this order.
+std::vector<Parallel::Quantity> variables_of(const ParetoResult& answer) {
+  std::vector<Parallel::Quantity> list;
+  const auto is_goal = [&](const NamedValue& one) {
+    return std::ranges::find(answer.goals, one.name, &Goal::metric) != answer.goals.end();
+  };
+  for (const NamedValue& one : answer.front.front().report.design) {
+    if (is_goal(one)) continue;
+    list.push_back({{name_part(one.name)}, one.unit, {"front/*/design/" + one.name, {}}});
+    for (const FrontPoint& point : answer.front)
+      list.back().values.values.push_back(value_of(point.report.design, one.name));
+  }
+  return list;
+}
+
 Section along(const ParetoResult& answer) {
-  Section section{{"Along the front"},
-                  {"One line for each point: the goals, then the variables of the design."}};
+  Section section{
+      {"Along the front"},
+      {"The variables over the first goal; then a line for each point, through its goals and "
+       "variables."}};
   section.hook = "along";
+  section.picture = "along-the-front";
+  section.parallel.name = "parallel";
+  for (std::size_t k = 0; k < answer.goals.size(); ++k)
+    section.parallel.axes.push_back(
+        {{name_part(answer.goals[k].metric)}, answer.goals[k].unit, goal_numbers(answer, k)});
+  for (Parallel::Quantity& variable : variables_of(answer)) {
+    Chart chart{"along " + written(variable.name, Writing::read),
+                variable.name,
+                goal_axis(answer.goals.front()),
+                {variable.name, variable.unit}};
+    chart.series = {{"", Stroke::dots, goal_numbers(answer, 0), variable.values}};
+    if (changes(variable.values)) section.charts.push_back(std::move(chart));
+    section.parallel.axes.push_back(std::move(variable));
+  }
   const std::string of = " of " + counted(answer.front.size(), "point");
   add_yields(section.remarks, answer, of);
   for (Phrase& phrase : parts_sentence(answer.parts, answer.part_count))
@@ -255,6 +294,32 @@ Phrase role_phrase(const ParetoResult& answer, std::size_t point) {
   return phrase;
 }
 
+namespace {
+
+// The torque of a point, with its limits.
+std::vector<Chart> point_charts(const ParetoResult& answer, std::size_t i, const Sources& sources) {
+  if (sources.curves == nullptr) return {};
+  const auto found = std::ranges::find(*sources.curves, i, &MotorCurve::place);
+  if (found == sources.curves->end()) return {};
+  Chart chart = torque_chart({&*found, 1}, curve_limits(answer.front[i].report, answer.goals));
+  chart.title = {"torque of point " + number_of(i)};
+  return {chart};
+}
+
+// The motors at the ends of the front and at its knee.
+std::vector<Section> known_curves(const ParetoResult& answer, const Sources& sources) {
+  if (sources.curves == nullptr) return {};
+  std::vector<MotorCurve> known = *sources.curves;
+  std::erase_if(known,
+                [&](const MotorCurve& curve) { return role_phrase(answer, curve.place).empty(); });
+  const Sources of{sources.study, sources.rows, &known};
+  std::vector<Section> list = torque_sections({"Motors of the front"}, of);
+  std::ranges::move(curve_sections(of), std::back_inserter(list));
+  return list;
+}
+
+}  // namespace
+
 std::vector<Section> point_sections(const ParetoResult& answer, std::size_t i,
                                     const Sources& sources) {
   const FrontPoint& point = answer.front[i];
@@ -274,6 +339,7 @@ std::vector<Section> point_sections(const ParetoResult& answer, std::size_t i,
   }
   append(said, certificate_phrase(point.report, ""));
   head.sentences = {said};
+  head.charts = point_charts(answer, i, sources);
   head.tables = {design_table("point-" + number_of(i), "this point", point.report,
                               answer.before_design, sources)};
   Section metrics{{"Metrics"}, efficiency_note(point.report.metrics)};
@@ -292,6 +358,7 @@ std::vector<Section> sections_of(const ParetoResult& answer, const Sources& sour
     for (std::size_t l = k + 1; l < answer.goals.size(); ++l) list.push_back(trade(answer, k, l));
   list.push_back(hooked("chosen"));
   list.push_back(along(answer));
+  std::ranges::move(known_curves(answer, sources), std::back_inserter(list));
   for (const std::size_t i : known_points(answer)) list.push_back(stops(answer, i, sources));
   list.push_back(ends(answer));
   list.push_back(as_table(answer));

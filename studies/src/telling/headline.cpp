@@ -27,25 +27,6 @@ const char* outcome_words(StudyOutcome outcome) {
   return "";
 }
 
-const char* kind_words(StudyKind kind) {
-  switch (kind) {
-    case StudyKind::curve: return "torque-speed curves";
-    case StudyKind::sweep: return "sweep of designs";
-    case StudyKind::sensitivity: return "sensitivity";
-    case StudyKind::optimize: return "optimization";
-    case StudyKind::size: return "sizing for a duty";
-    case StudyKind::pareto: return "trade-off front";
-    case StudyKind::uncertainty: return "spread under tolerances";
-    case StudyKind::calibrate: return "calibration";
-    case StudyKind::frequency: return "sweep of the frequency";
-    case StudyKind::map: return "map over speed and torque";
-    case StudyKind::heat: return "temperatures";
-    case StudyKind::life: return "life";
-    case StudyKind::motion: return "motion in time";
-  }
-  return "";
-}
-
 // Whether an evaluation is one point of a motor.
 bool of_points(StudyKind kind) {
   return kind == StudyKind::curve || kind == StudyKind::frequency || kind == StudyKind::map ||
@@ -92,7 +73,7 @@ Headline headline(const StudyResult& result) {
     told =
         std::visit([&](const auto& answer) { return headline_of(answer, result); }, result.answer);
   told.badge = std::visit(Badge{result}, result.answer);
-  told.title = kind_words(result.kind);
+  told.title = title_of(result.kind);
   if (!result.motor.empty()) told.title += " of " + printable(result.motor);
   if (of_points(result.kind)) told.rows = "points";
   return told;

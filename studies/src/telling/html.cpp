@@ -49,8 +49,20 @@ std::string row_of(const std::string& cell, const std::vector<Phrase>& row, cons
   return element("tr", text);
 }
 
+// Points of a picture in a text; more are for pages.
+constexpr std::size_t kMostPoints = 5000;
+
+bool is_drawn(const Chart& chart) {
+  return chart.colours.name.empty() && std::ranges::all_of(chart.series, [](const Series& series) {
+           return series.y.values.size() <= kMostPoints;
+         });
+}
+
 // Panels of a matrix are too many and too small.
-bool has_charts(const Section& section) { return !section.charts.empty() && section.columns == 0; }
+bool has_charts(const Section& section) {
+  return section.on_page && !section.charts.empty() && section.columns == 0 &&
+         std::ranges::all_of(section.charts, is_drawn);
+}
 
 }  // namespace
 

@@ -199,6 +199,7 @@ class SvgChart {
     if (!series.low.values.empty()) add_band(series, colour);
     switch (series.stroke) {
       case Stroke::bars: return add_bars(series, colour);
+      case Stroke::cells: return;  // maps of a sweep are on pages and pictures
       case Stroke::dots: return add_dots(series, colour);
       case Stroke::dashes:
         return add_path(line(series), colour, attribute("stroke-dasharray", "5 4"));
@@ -206,6 +207,7 @@ class SvgChart {
       case Stroke::line:
       case Stroke::steps:
       case Stroke::path:
+      case Stroke::stack:
       case Stroke::outline: return add_path(line(series), colour, attribute("stroke-width", "1.6"));
     }
   }

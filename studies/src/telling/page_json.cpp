@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "results/standings.hpp"
 #include "telling/goal_parts.hpp"
-#include "telling/limit_parts.hpp"
 #include "telling/renderers.hpp"
 #include "telling/tellings.hpp"
 
 #include <twum/io/number.hpp>
-#include <twum/motors/expression.hpp>
 
 #include <cmath>
 
@@ -103,8 +100,8 @@ Json axis_json(const Axis& axis) {
           {"high", number_json(axis.high)}};
 }
 
-constexpr const char* kStrokes[] = {"line", "dashes",  "dots",    "steps",
-                                    "path", "contour", "outline", "bars"};
+constexpr const char* kStrokes[] = {"line",    "dashes",  "dots", "steps", "path",
+                                    "contour", "outline", "bars", "cells", "stack"};
 constexpr const char* kGuides[] = {"limit", "quantile", "level"};
 
 Json series_json(const Series& series) {
@@ -118,7 +115,24 @@ Json series_json(const Series& series) {
     json["high"] = numbers_json(series.high);
     json["band"] = series.band;
   }
+  if (!series.broad.empty()) {
+    json["state"] = series.state;
+    json["broad"] = series.broad;
+  }
+  if (series.stroke == Stroke::cells) json["z"] = numbers_json(series.z);
   return json;
+}
+
+Json bounds_json(const std::vector<Bound>& bounds) {
+  Json list = Json::array();
+  for (const Bound& bound : bounds)
+    list.push_back({{"x", bound.x},
+                    {"y", bound.y},
+                    {"upright", bound.upright},
+                    {"least", bound.least},
+                    {"broken", bound.broken},
+                    {"text", written(bound.text, Writing::page)}});
+  return list;
 }
 
 // Of each row a text with a letter for each cell: a, b, ... for the bands, a blank for none.
@@ -150,8 +164,12 @@ Json chart_json(const Chart& chart) {
             {"round", chart.one_scale},
             {"series", Json::array()},
             {"guides", Json::array()},
-            {"marks", Json::array()}};
+            {"marks", Json::array()},
+            {"bounds", bounds_json(chart.bounds)}};
   for (const Series& one : chart.series) json["series"].push_back(series_json(one));
+  for (const Series& one : chart.more) json["more"].push_back(series_json(one));
+  if (!chart.more.empty()) json["asked"] = chart.asked;
+  if (!chart.colours.name.empty()) json["colours"] = axis_json(chart.colours);
   for (const Guide& guide : chart.guides)
     json["guides"].push_back({{"at", guide.at},
                               {"text", written(guide.text, Writing::page)},
@@ -164,6 +182,15 @@ Json chart_json(const Chart& chart) {
                              {"dot", mark.dot}});
   if (!chart.field.levels.empty()) json["field"] = field_json(chart.field);
   return json;
+}
+
+Json parallel_json(const Parallel& parallel) {
+  Json axes = Json::array();
+  for (const Parallel::Quantity& one : parallel.axes)
+    axes.push_back({{"name", written(one.name, Writing::page)},
+                    {"unit", one.unit},
+                    {"values", numbers_json(one.values)}});
+  return {{"axes", axes}, {"most", kMostLines}};
 }
 
 Json section_json(const Section& section) {
@@ -184,41 +211,9 @@ Json section_json(const Section& section) {
                     {"inner", section.bars.inner}, {"low", section.bars.low},
                     {"high", section.bars.high},   {"both_ways", section.bars.both_ways},
                     {"full", section.bars.full}};
+  if (!section.parallel.axes.empty()) json["parallel"] = parallel_json(section.parallel);
   if (!section.hook.empty()) json["hook"] = section.hook;
   for (const Table& table : section.tables) json["tables"].push_back(table_json(table));
-  return json;
-}
-
-// "0.5 N·m at 100 rpm" of a duty or limit on the torque; otherwise the limit alone.
-std::string mark_text(const Json& standing) {
-  const std::string metric = standing["metric"];
-  Phrase phrase{metric == "stall_torque"    ? "stall "
-                : metric == "no_load_speed" ? "no load "
-                                            : "",
-                standing["side"] == "at least" ? "≥ " : "≤ ",
-                value_part(standing["limit"], standing["unit"])};
-  const MetricExpression expression = parse_metric(metric);
-  if (const MetricRequest* request = expression.request();
-      request != nullptr && request->argument == Argument::speed)
-    append(phrase, {" at ", value_part(request->at, "rad/s")});
-  if (standing["state"] == "broken" || standing["state"] == "unreachable") {
-    append(phrase, {" ("});
-    append(phrase, state_phrase(standing));
-    append(phrase, {")"});
-  }
-  return written(phrase, Writing::page);
-}
-
-// Limits of a design on metrics, which a chart of its curve may have a place for.
-Json curve_limits(const DesignReport& report, const std::vector<Goal>& goals) {
-  Json json = Json::array();
-  for (const Json& one : standings_json(report, goals))
-    if (one.contains("metric"))
-      json.push_back({{"metric", one["metric"]},
-                      {"limit", one["limit"]},
-                      {"least", one["side"] == "at least"},
-                      {"broken", one["state"] == "broken" || one["state"] == "unreachable"},
-                      {"text", mark_text(one)}});
   return json;
 }
 
@@ -236,17 +231,6 @@ Json headline_json(const Headline& headline) {
           {"unanswered", headline.unanswered}};
 }
 
-Json curve_limits_json(const Answer& answer) {
-  if (const auto* search = std::get_if<OptimizeResult>(&answer))
-    return curve_limits(search->best, {search->goal});
-  const auto* front = std::get_if<ParetoResult>(&answer);
-  if (front == nullptr) return nullptr;
-  Json json = Json::array();
-  for (const ParetoResult::Point& point : front->front)
-    json.push_back(curve_limits(point.report, front->goals));
-  return json;
-}
-
 Json points_json(const Answer& answer, const Sources& sources) {
   const auto* front = std::get_if<ParetoResult>(&answer);
   if (front == nullptr) return nullptr;
@@ -257,9 +241,16 @@ Json points_json(const Answer& answer, const Sources& sources) {
   return json;
 }
 
+Json charts_json(const std::vector<Chart>& charts) {
+  Json json = Json::array();
+  for (const Chart& chart : charts) json.push_back(chart_json(chart));
+  return json;
+}
+
 Json sections_json(const std::vector<Section>& sections) {
   Json json = Json::array();
-  for (const Section& section : sections) json.push_back(section_json(section));
+  for (const Section& section : sections)
+    if (section.on_page) json.push_back(section_json(section));
   return json;
 }
 

@@ -38,11 +38,10 @@ std::string html(const std::vector<Section>& sections);
 
 /// What studies/page/telling.js draws.
 Json headline_json(const Headline& headline);
-/// Limits that may stand on charts of curves: those of the best design, or of each point of a front; null of others.
-Json curve_limits_json(const Answer& answer);
 /// Of each point of a front what it is, and what is said of it when it is chosen; null of other answers.
 Json points_json(const Answer& answer, const Sources& sources);
 Json sections_json(const std::vector<Section>& sections);
+Json charts_json(const std::vector<Chart>& charts);
 
 /// The whole answer as Markdown, and as HTML.
 /// @{

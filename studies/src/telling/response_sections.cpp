@@ -71,16 +71,23 @@ void add_jumps(Chart& chart, const ResponseMember& member, const FrequencyColumn
                               "c1"});
 }
 
-// The wave at the drive's own frequency, and the last one before its pull-out.
+// The wave at the drive's own frequency, and the last one before its pull-out; the first chart has their frequencies.
 void add_marks(Chart& chart, const ResponseMember& member, const FrequencyColumn& column,
                bool alone, const std::string& colour) {
   if (!member.running || !std::isfinite(column.value(*member.running))) return;
-  const auto text = [&](const char* words) { return alone ? Phrase{words} : Phrase{}; };
-  chart.marks.push_back({member.frequency, column.value(*member.running), text("drive"), colour});
+  const bool first = std::string_view(column.name) == kResponses.front().column;
+  const auto text = [&](const char* words, const char* more, double frequency) {
+    return !alone   ? Phrase{}
+           : !first ? Phrase{words}
+                    : Phrase{words, more, value_part(frequency, "Hz")};
+  };
+  chart.marks.push_back({member.frequency, column.value(*member.running),
+                         text("drive", " at ", member.frequency), colour});
   for (const ResponseBranch& branch : member.branches)
     for (const ResponsePoint& point : branch.points)
       if (branch.stable && member.pull_out_below && point.frequency == *member.pull_out_below) {
-        chart.marks.push_back({point.frequency, column.value(point), text("pull-out"), colour});
+        chart.marks.push_back({point.frequency, column.value(point),
+                               text("pull-out", " below ", point.frequency), colour});
         return;
       }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/curve_charts.hpp"
 #include "telling/failure_sections.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/histogram.hpp"
@@ -12,38 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace twum::studies::telling {
 namespace {
-
-Table sweep_table(const SweepResult& answer) {
-  Table table{"spread", {{"metric"}, {"lowest"}, {"median"}, {"highest"}, {"designs"}}, {}};
-  for (const SweepResult::Metric& metric : answer.metrics) {
-    table.rows.push_back({{name_part(metric.column.name)}});
-    for (const double value : {metric.min, metric.median, metric.max})
-      table.rows.back().push_back({value_part(value, metric.column.unit)});
-    table.rows.back().push_back({count_part(metric.count)});
-  }
-  return table;
-}
-
-// The designs with the least and the most of each metric.
-Table ends_table(const SweepResult& answer) {
-  Table table{"ends", {{"metric"}, {"lowest at"}, {"highest at"}}, {}};
-  for (const SweepResult::Metric& metric : answer.metrics) {
-    table.rows.push_back({{name_part(metric.column.name)}});
-    std::vector<Phrase>& row = table.rows.back();
-    if (metric.count == 0)
-      row.insert(row.end(), 2, {"no design has a value"});
-    else if (metric.min == metric.max)
-      row.insert(row.end(), 2, {"the same in all designs"});
-    else
-      row.insert(row.end(),
-                 {design_phrase(answer, metric.lowest), design_phrase(answer, metric.highest)});
-  }
-  return table;
-}
 
 // "preload 234 N, amplitude 1.9 µm"
 Phrase values_phrase(const std::vector<NamedValue>& values) {
@@ -324,19 +298,6 @@ Section spread_of(const UncertaintyResult& answer, const UncertaintyResult::Metr
 
 }  // namespace
 
-std::vector<Section> sections_of(const SweepResult& answer, const Sources& /*sources*/) {
-  if (answer.stored == 0) return {};
-  Section spread{{"Spread of the metrics"}, {"Sampling: " + answer.sampling + "."}};
-  if (answer.stored < answer.designs)
-    spread.sentences = {{std::to_string(answer.stored) + " of " +
-                         counted(answer.designs, "design") + " are computed."}};
-  spread.tables = {sweep_table(answer)};
-  spread.wide = false;
-  Section ends{{"Extremes"}, {"The designs with the lowest and the highest value of each metric."}};
-  ends.tables = {ends_table(answer)};
-  return {hooked("designs"), spread, ends, hooked("list")};
-}
-
 std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources& sources) {
   if (answer.samples == 0) return {};
   std::vector<Section> list;
@@ -354,7 +315,7 @@ std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources&
   spread.sentences = spread_sentences(answer);
   if (!answer.metrics.empty()) spread.tables = spread_tables(answer);
   list.push_back(std::move(spread));
-  list.push_back(hooked("motor"));
+  std::ranges::move(motor_sections(sources), std::back_inserter(list));
   return list;
 }
 

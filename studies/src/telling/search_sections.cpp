@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/robust_answer.hpp"
 #include "results/standings.hpp"
+#include "telling/curve_charts.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/limit_parts.hpp"
 #include "telling/tellings.hpp"
@@ -11,15 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace twum::studies::telling {
 namespace {
-
-Section curves(const OptimizeResult& answer) {
-  Section section{{answer.found ? "Torque: before and after" : "Torque of the original motor"}};
-  section.hook = "torque";
-  return section;
-}
 
 // Where no design keeps all limits there is no optimum, so a limit has no price.
 Section limits_least_violated(const Json& standings) {
@@ -312,12 +308,18 @@ std::vector<Section> runs(const OptimizeResult& answer) {
 }  // namespace
 
 std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& sources) {
-  if (!answer.found) return {curves(answer), hooked("others")};
-  const Json standings = standings_json(answer.best, {answer.goal});
-  std::vector<Section> list{curves(answer)};
+  std::vector<Section> list;
   const auto add = [&](std::vector<Section> more) {
     std::ranges::move(more, std::back_inserter(list));
   };
+  if (!answer.found) {
+    add(torque_sections({"Torque of the original motor"}, sources));
+    add(curve_sections(sources));
+    return list;
+  }
+  const Json standings = standings_json(answer.best, {answer.goal});
+  const std::vector<CurveLimit> on_curves = curve_limits(answer.best, {answer.goal});
+  add(torque_sections({"Torque: before and after"}, sources, on_curves));
   add(relaxation_sections(answer.explanation));
   if (!standings.empty())
     list.push_back(answer.explanation.empty() ? limits(answer, standings, sources)
@@ -329,7 +331,7 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
     add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved,
                        answer.touching));
   }
-  list.push_back(hooked("others"));
+  add(curve_sections(sources, on_curves));
   if (sources.rows != nullptr) add(search(answer, standings, *sources.rows));
   add(runs(answer));
   return list;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "telling/curve_charts.hpp"
 #include "telling/goal_parts.hpp"
 #include "telling/tellings.hpp"
 
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 namespace twum::studies::telling {
@@ -289,12 +291,12 @@ SobolShares told_shares(const SobolShares& shares) {
   return one;
 }
 
-std::vector<Section> sections_of(const SensitivityResult& answer, const Sources& /*sources*/) {
+std::vector<Section> sections_of(const SensitivityResult& answer, const Sources& sources) {
   std::vector<Section> list;
   for (const MetricSensitivity& metric : answer.metrics)
     list.push_back(MetricSection(answer, metric).take());
   list.push_back(method_section(answer));
-  list.push_back(hooked("motor"));
+  std::ranges::move(motor_sections(sources), std::back_inserter(list));
   return list;
 }
 

@@ -227,12 +227,12 @@ std::string as_table(const Curve& curve, std::size_t width) {
 }
 
 // The range of the curve's speeds; for a single speed, the default range of a curve.
-std::string plot_script(const Curve& curve) {
+Picture picture(const Curve& curve) {
   const auto [first, last] = std::minmax_element(
       curve.points.begin(), curve.points.end(),
       [](const OperatingPoint& a, const OperatingPoint& b) { return a.speed < b.speed; });
-  if (first->speed < last->speed) return curve_plot(curve.file, first->speed, last->speed);
-  return curve_plot(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
+  if (first->speed < last->speed) return curve_picture(curve.file, first->speed, last->speed);
+  return curve_picture(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
 }
 
 // does_not_pull_out is the normal case of a motor and needs no note.
@@ -252,7 +252,10 @@ int run_curve(const CurveOptions& options) {
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
   const Curve curve = compute(options);
-  if (plot && !interrupted()) plot->draw(kCurvePlotSize, plot_script(curve));
+  if (plot && !interrupted()) {
+    const Picture drawn = picture(curve);
+    plot->draw(drawn.size, drawn.script);
+  }
   output.write(options.output.format == "json"  ? as_json(curve)
                : options.output.format == "csv" ? as_csv(curve)
                                                 : as_table(curve, options.output.table_width()));

@@ -8,7 +8,8 @@
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
-#include "plot/frequency_plot.hpp"
+#include "plot/style.hpp"
+#include "plot/told_panel.hpp"
 #include "text_table.hpp"
 
 #include <twum/core/parameters.hpp>
@@ -271,17 +272,19 @@ std::string as_table(const FrequencyAnswer& answer, std::size_t width) {
   return headline(answer) + "\n\n" + findings(answer) + "\n" + sweeps_table(answer, width);
 }
 
-std::string script_of(const FrequencyAnswer& answer) {
-  FrequencyPicture picture{answer.branches,
-                           {},
-                           answer.from,
-                           answer.to,
-                           answer.operating,
-                           answer.pull_out,
-                           answer.load.given == Argument::speed};
+// The response of a study of this motor.
+Picture picture_of_response(const FrequencyAnswer& answer) {
+  studies::FrequencyResult::Member member{
+      std::nan(""), answer.operating, answer.running, answer.pull_out, {}, answer.branches};
   for (const DirectedSweep& one : answer.sweeps)
-    picture.jumps.insert(picture.jumps.end(), one.sweep.jumps.begin(), one.sweep.jumps.end());
-  return frequency_plot(answer.file, picture);
+    for (const Jump& jump : one.sweep.jumps)
+      member.jumps.push_back({std::string_view(one.direction) == "up", jump});
+  studies::StudyResult result;
+  result.answer = studies::FrequencyResult{{}, answer.load, answer.from, answer.to, {member}};
+  const std::vector<telling::Section> sections = telling::sections(result);
+  const auto drawn = std::ranges::find_if(
+      sections, [](const telling::Section& section) { return !section.charts.empty(); });
+  return picture_of("response", told_chart(motor_title(answer.file), drawn->charts));
 }
 
 int run_frequency(const FrequencyOptions& options) {
@@ -289,7 +292,10 @@ int run_frequency(const FrequencyOptions& options) {
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
   const FrequencyAnswer answer = compute_frequency(options);
-  if (plot && !answer.branches.empty()) plot->draw(kFrequencyPlotSize, script_of(answer));
+  if (plot && !answer.branches.empty()) {
+    const Picture drawn = picture_of_response(answer);
+    plot->draw(drawn.size, drawn.script);
+  }
   output.write(options.output.format == "json"  ? as_json(answer)
                : options.output.format == "csv" ? as_csv(answer)
                                                 : as_table(answer, options.output.table_width()));

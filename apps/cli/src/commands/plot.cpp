@@ -4,7 +4,7 @@
 #include "interrupt.hpp"
 #include "message.hpp"
 #include "output.hpp"
-#include "plot/study/pictures.hpp"
+#include "plot/study/told_pictures.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/stored_result.hpp>
@@ -49,7 +49,7 @@ int run_plot(const PlotOptions& options) {
       options.directory,
       [&](const studies::StudyFile& file, const studies::StudyResult& result,
           const studies::ResultStore& store) {
-        pictures = study_pictures({file, result, store});
+        pictures = told_pictures({file, result, store});
       },
       stop.token());
   if (pictures.empty()) {

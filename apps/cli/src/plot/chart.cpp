@@ -127,11 +127,12 @@ std::string series_text(const Scaled& s, std::size_t number, const Series& serie
                                                                   : s.value_unit;
     columns += (columns.empty() ? "" : ":") + in_unit(static_cast<int>(column) + 1, unit);
   }
-  const std::string colour = series.draw == Draw::image   ? ""
-                             : series.draw == Draw::cells ? " fillcolor palette"
-                             : series.draw == Draw::boxes || series.draw == Draw::band
-                                 ? " fillcolor rgb '" + series.colour + "'"
-                                 : " linecolor rgb '" + series.colour + "'";
+  const std::string colour =
+      series.draw == Draw::image   ? ""
+      : series.draw == Draw::cells ? " fillcolor palette"
+      : series.draw == Draw::boxes || series.draw == Draw::band || series.draw == Draw::area
+          ? " fillcolor rgb '" + series.colour + "'"
+          : " linecolor rgb '" + series.colour + "'";
   const std::string size =
       series.draw == Draw::dots
           ? std::string(most_dots(s.panel) < kFew ? " pointsize 0.8" : " pointsize 0.4")

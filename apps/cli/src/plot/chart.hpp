@@ -19,6 +19,7 @@ enum class Draw : unsigned char {
   rises,      ///< x, y: triangles that point up, for what has to be reached
   falls,      ///< x, y: triangles that point down, for what may not be exceeded
   band,       ///< x, low y, high y
+  area,       ///< likewise, darker
   boxes,      ///< low x, high x, low y, high y
   cells,      ///< as boxes, and the value that is the colour
   image,      ///< x, y, and the value that is the colour: cells in rows, evenly spaced

@@ -2,6 +2,7 @@
 #include "plot/fields_plot.hpp"
 
 #include "plot/style.hpp"
+#include "plot/told_panel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ struct FieldsPicture {
   std::vector<std::vector<double>> rows;
   double edge;  // of the picture, in both directions [rad]
   bool two_bounds;
+  std::vector<telling::Chart> told;
   studies::DisplayUnit pressure;
   studies::DisplayUnit traction;
   studies::DisplayUnit velocity;
@@ -45,6 +47,7 @@ int samples_for(double edge) { return 1 + static_cast<int>(std::min(600 * kPi / 
 FieldsPicture fields_picture(const MotorDesign& design, double speed) {
   const Motor motor(design);
   FieldsPicture picture;
+  picture.told = telling::contact_charts();
   picture.edge = edge_of(motor.zones(speed));
   picture.fields = motor.fields(speed, samples_for(picture.edge));
   picture.two_bounds = design.friction.threshold != design.friction.kinetic;
@@ -94,14 +97,15 @@ std::string zone_names(const FieldsPicture& picture) {
   return script;
 }
 
-std::string series(const std::string& scaled, const char* name, const char* colour,
+std::string series(const std::string& scaled, const std::string& name, const char* colour,
                    const char* dash) {
   return "$fields using ($1/" + plot_number(kDegree) + "):" + scaled +
          " with lines linewidth 2 dashtype " + dash + " linecolor rgb '" + colour + "' title " +
          plot_text(name);
 }
 
-std::string bounds(const FieldsPicture& picture, Trace column, const char* name, const char* dash) {
+std::string bounds(const FieldsPicture& picture, Trace column, const std::string& name,
+                   const char* dash) {
   const std::string bound = in_unit(column, picture.traction);
   return series(bound, name, colour::kGrey, dash) + ", " +
          series("(-" + bound + ")", "", colour::kGrey, dash);
@@ -110,7 +114,7 @@ std::string bounds(const FieldsPicture& picture, Trace column, const char* name,
 std::string pressure_panel(const FieldsPicture& picture) {
   std::string script = panel_place(0.915, 0.68, false) + zone_names(picture) +
                        "set offsets 0, 0, graph 0.12, 0\nset yrange [0:]\n" +
-                       vertical_label("pressure", picture.pressure) + "plot " +
+                       vertical_label(read(picture.told[0].y.name), picture.pressure) + "plot " +
                        series(in_unit(kPressure, picture.pressure), "", colour::kBlue, "1");
   const auto legend = [&](ZoneState state, const char* meaning) {
     script += std::string(", NaN with boxes fillstyle solid 1 noborder linecolor rgb '") +
@@ -124,21 +128,26 @@ std::string pressure_panel(const FieldsPicture& picture) {
 
 std::string traction_panel(const FieldsPicture& picture) {
   const bool two = picture.two_bounds;
+  const std::vector<telling::Series>& lines = picture.told[1].series;
   std::string script = panel_place(0.635, 0.37, false) +
-                       vertical_label("traction", picture.traction) + "plot " +
-                       bounds(picture, kKinetic, two ? "kinetic bound" : "friction bound", "2");
+                       vertical_label(read(picture.told[1].y.name), picture.traction) + "plot " +
+                       bounds(picture, kKinetic, two ? "kinetic bound" : lines[0].name, "2");
   if (two) script += ", " + bounds(picture, kStatic, "static bound", "3");
   return script + ", " +
-         series(in_unit(kTraction, picture.traction), "traction", colour::kVermilion, "1") +
+         series(in_unit(kTraction, picture.traction), lines[1].name, colour::kVermilion, "1") +
          "\nunset label\n";
 }
 
 std::string velocity_panel(const FieldsPicture& picture) {
-  return panel_place(0.325, 0.075, true) +
-         horizontal_label("phase of the wave, crest at 0", {"deg", 1}) +
-         vertical_label("surface velocity", picture.velocity) + "plot " +
-         series(in_unit(kStatorVelocity, picture.velocity), "stator", colour::kBlue, "1") + ", " +
-         series(in_unit(kLayerVelocity, picture.velocity), "layer", colour::kVermilion, "2") + "\n";
+  const telling::Chart& told = picture.told[2];
+  return panel_place(0.325, 0.075, true) + horizontal_label(read(told.x.name), {"deg", 1}) +
+         vertical_label(read(told.y.name), picture.velocity) + "plot " +
+         series(in_unit(kStatorVelocity, picture.velocity), told.series[0].name, colour::kBlue,
+                "1") +
+         ", " +
+         series(in_unit(kLayerVelocity, picture.velocity), told.series[1].name, colour::kVermilion,
+                "2") +
+         "\n";
 }
 
 }  // namespace

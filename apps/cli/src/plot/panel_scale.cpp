@@ -46,7 +46,7 @@ void to_one_scale(Extent& x, Extent& y, const Place& place) {
 }  // namespace
 
 const Form& form_of(Draw draw) {
-  static const std::array<Form, 12> kForms = {{
+  static const std::array<Form, 13> kForms = {{
       {{0}, {1}, {0, 1}, "lines linewidth 2"},
       {{0}, {1}, {0, 1}, "lines linewidth 0.7"},
       {{0}, {1}, {0, 1}, "lines linewidth 1.6 dashtype 2"},
@@ -55,6 +55,7 @@ const Form& form_of(Draw draw) {
       {{0}, {1}, {0, 1}, "points pointtype 9 pointsize 1.1"},
       {{0}, {1}, {0, 1}, "points pointtype 11 pointsize 1.1"},
       {{0}, {1, 2}, {0, 1, 2}, "filledcurves fillstyle solid 0.25 noborder"},
+      {{0}, {1, 2}, {0, 1, 2}, "filledcurves fillstyle solid 0.75 noborder"},
       {{0, 1}, {2, 3}, {0, 2, 0, 1, 2, 3}, "boxxyerror fillstyle solid 0.8 noborder"},
       {{0, 1}, {2, 3}, {0, 2, 0, 1, 2, 3, 4}, "boxxyerror fillstyle solid 1 noborder"},
       {{0}, {1}, {0, 1, 2}, "image"},

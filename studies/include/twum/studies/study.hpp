@@ -34,8 +34,9 @@ struct StudyFile;
 
 /// Torque-speed curves of one motor, or of a family over one parameter.
 struct CurveStudy {
-  static constexpr std::string_view kName{"curve"};  ///< as in `kind:`
-  static Shape<CurveStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"curve"};                 ///< as in `kind:`
+  static constexpr std::string_view kTitle{"torque-speed curves"};  ///< what it asks for
+  static Shape<CurveStudy> shape();                                 ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -55,8 +56,9 @@ const char* to_string(SweepDirection value) noexcept;
 
 /// Slow sweeps of the drive's frequency, of one motor under a voltage or of a family over one parameter.
 struct FrequencyStudy {
-  static constexpr std::string_view kName{"frequency"};  ///< as in `kind:`
-  static Shape<FrequencyStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"frequency"};                ///< as in `kind:`
+  static constexpr std::string_view kTitle{"sweep of the frequency"};  ///< what it asks for
+  static Shape<FrequencyStudy> shape();                                ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -73,8 +75,9 @@ struct FrequencyStudy {
 /// A map over speed and torque of what a drive that follows needs, loses and gives at each point; of one motor, or of a
 /// family over one parameter.
 struct MapStudy {
-  static constexpr std::string_view kName{"map"};  ///< as in `kind:`
-  static Shape<MapStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"map"};                         ///< as in `kind:`
+  static constexpr std::string_view kTitle{"map over speed and torque"};  ///< what it asks for
+  static Shape<MapStudy> shape();                                         ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -100,8 +103,9 @@ struct MapStudy {
 /// Temperatures of a motor: steady ones and the warm-up under a load, and over a cycle of the motor's operation; of one motor, or
 /// of a family over one parameter.
 struct HeatStudy {
-  static constexpr std::string_view kName{"heat"};  ///< as in `kind:`
-  static Shape<HeatStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"heat"};           ///< as in `kind:`
+  static constexpr std::string_view kTitle{"temperatures"};  ///< what it asks for
+  static Shape<HeatStudy> shape();                           ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -118,8 +122,9 @@ struct HeatStudy {
 /// The life of a motor whose track wears, under a load or in the motor's operation; of one motor, or of a family over one
 /// parameter.
 struct LifeStudy {
-  static constexpr std::string_view kName{"life"};  ///< as in `kind:`
-  static Shape<LifeStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"life"};   ///< as in `kind:`
+  static constexpr std::string_view kTitle{"life"};  ///< what it asks for
+  static Shape<LifeStudy> shape();                   ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -189,8 +194,9 @@ struct MotionControl {
 
 /// A motor in time: starts, stops, changes of load and drive; of one motor, or of a family over one parameter.
 struct MotionStudy {
-  static constexpr std::string_view kName{"motion"};  ///< as in `kind:`
-  static Shape<MotionStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"motion"};           ///< as in `kind:`
+  static constexpr std::string_view kTitle{"motion in time"};  ///< what it asks for
+  static Shape<MotionStudy> shape();                           ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -241,8 +247,9 @@ const char* to_string(Sampling value) noexcept;
 
 /// The metrics of a grid, list or sample of designs.
 struct SweepStudy {
-  static constexpr std::string_view kName{"sweep"};  ///< as in `kind:`
-  static Shape<SweepStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"sweep"};              ///< as in `kind:`
+  static constexpr std::string_view kTitle{"sweep of designs"};  ///< what it asks for
+  static Shape<SweepStudy> shape();                              ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -270,8 +277,9 @@ const char* to_string(SensitivityMethod value) noexcept;
 
 /// The influence of parameters on metrics.
 struct SensitivityStudy {
-  static constexpr std::string_view kName{"sensitivity"};  ///< as in `kind:`
-  static Shape<SensitivityStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"sensitivity"};   ///< as in `kind:`
+  static constexpr std::string_view kTitle{"sensitivity"};  ///< what it asks for
+  static Shape<SensitivityStudy> shape();                   ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -292,8 +300,9 @@ std::uint64_t standard_samples(SensitivityMethod method);
 
 /// The best design under constraints.
 struct OptimizeStudy {
-  static constexpr std::string_view kName{"optimize"};  ///< as in `kind:`
-  static Shape<OptimizeStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"optimize"};       ///< as in `kind:`
+  static constexpr std::string_view kTitle{"optimization"};  ///< what it asks for
+  static Shape<OptimizeStudy> shape();                       ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -313,8 +322,9 @@ struct OptimizeStudy {
 
 /// The trade-off front of two or three metrics.
 struct ParetoStudy {
-  static constexpr std::string_view kName{"pareto"};  ///< as in `kind:`
-  static Shape<ParetoStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"pareto"};            ///< as in `kind:`
+  static constexpr std::string_view kTitle{"trade-off front"};  ///< what it asks for
+  static Shape<ParetoStudy> shape();                            ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -342,8 +352,9 @@ struct ParetoStudy {
 
 /// A motor for a duty.
 struct SizeStudy {
-  static constexpr std::string_view kName{"size"};  ///< as in `kind:`
-  static Shape<SizeStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"size"};                ///< as in `kind:`
+  static constexpr std::string_view kTitle{"sizing for a duty"};  ///< what it asks for
+  static Shape<SizeStudy> shape();                                ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -374,8 +385,9 @@ const char* to_string(DrawMethod value) noexcept;
 
 /// Spread and yield under tolerances.
 struct UncertaintyStudy {
-  static constexpr std::string_view kName{"uncertainty"};  ///< as in `kind:`
-  static Shape<UncertaintyStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"uncertainty"};               ///< as in `kind:`
+  static constexpr std::string_view kTitle{"spread under tolerances"};  ///< what it asks for
+  static Shape<UncertaintyStudy> shape();                               ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -412,8 +424,9 @@ const char* to_string(Scatter value) noexcept;
 
 /// Parameters from measurements.
 struct CalibrateStudy {
-  static constexpr std::string_view kName{"calibrate"};  ///< as in `kind:`
-  static Shape<CalibrateStudy> shape();                  ///< its field list
+  static constexpr std::string_view kName{"calibrate"};     ///< as in `kind:`
+  static constexpr std::string_view kTitle{"calibration"};  ///< what it asks for
+  static Shape<CalibrateStudy> shape();                     ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
@@ -466,5 +479,8 @@ std::optional<StudyKind> find_study_kind(std::string_view name);
 
 /// The name of a kind; static lifetime.
 std::string_view to_string(StudyKind kind);
+
+/// What a kind asks for, "optimization" of a motor; static lifetime.
+std::string_view title_of(StudyKind kind);
 
 }  // namespace twum::studies

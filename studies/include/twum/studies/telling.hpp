@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/motor.hpp>
 #include <twum/io/result_store.hpp>
 #include <twum/studies/study_file.hpp>
 #include <twum/studies/study_result.hpp>
 
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,8 +86,9 @@ struct Table {
 
 /// Numbers of a chart.
 struct Numbers {
-  /// Where they stand in summary.json: "robust/densities/0/motors", "robust/price_over_yield/*/yield". A page takes
-  /// them from there. Empty: they stand nowhere else.
+  /// Where they stand in summary.json: "robust/densities/0/motors", "robust/price_over_yield/*/yield"; among the curves of
+  /// a page: "motors/0/torque"; or a column of the rows: "rows/preload". A page takes them from there. Empty: they stand
+  /// nowhere else.
   std::string where{};
   std::vector<double> values{};  ///< SI
 };
@@ -98,6 +103,8 @@ enum class Stroke : unsigned char {
   contour,  ///< likewise, thin
   outline,  ///< over bins: x has one more than y
   bars,     ///< likewise
+  cells,    ///< of a grid, each in the colour of its value
+  stack,  ///< a part of a whole, filled, on top of the series before; nothing where a part is negative
 };
 
 /// A line or a row of marks of a chart.
@@ -108,6 +115,12 @@ struct Series {
   std::string colour{"c0"};  ///< "c0" to "c6", "ink", "soft" or "faint"
   Numbers low{}, high{};     ///< edges of a band about a line
   std::string band{};        ///< name of the band in the key
+  /// A state in which it is broad, in the key, such as "squeals"; and between which places of x it holds.
+  /// @{
+  std::string state{};
+  std::vector<std::array<double, 2>> broad{};
+  /// @}
+  Numbers z{};  ///< of cells
 };
 
 /// An axis of a chart.
@@ -139,6 +152,15 @@ struct Mark {
   bool dot{true};  ///< false: the text alone
 };
 
+/// A limit at a point of a chart: a bar with teeth on the side of worse values.
+struct Bound {
+  double x, y;
+  bool upright{false};  ///< it limits x
+  bool least{true};     ///< larger values keep it
+  bool broken{false};
+  Phrase text{};
+};
+
 /// Bands of values over the plane of a chart, each in one colour.
 struct Field {
   Phrase name{};
@@ -162,7 +184,25 @@ struct Chart {
   double most{std::numeric_limits<double>::infinity()};
   bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
   Field field{};          ///< behind the series; without levels there is none
+  Axis colours{};         ///< of cells
+  std::vector<Bound> bounds{};
+  std::vector<Series> more{};  ///< that a page adds when its reader asks for it
+  std::string asked{};         ///< says the button for them
 };
+
+/// Quantities of many designs in parallel coordinates: a line for each design.
+struct Parallel {
+  struct Quantity {
+    Phrase name;
+    std::string unit;  ///< SI
+    Numbers values;
+  };
+  std::string name{};  ///< of the picture's file
+  std::vector<Quantity> axes{};
+};
+
+/// More lines than these would be a grey block; a random sample is drawn.
+inline constexpr std::size_t kMostLines = 1500;
 
 /// A bar for each row of the section's first table. Columns by position; 0: none.
 struct Bars {
@@ -184,14 +224,17 @@ struct Section {
   Phrase heading{};
   Phrase note{};                ///< how to read what follows
   std::vector<Chart> charts{};  ///< several are one picture
+  std::string picture{};        ///< in which they are panels, with those of other sections
   std::size_t columns{
       0};  ///< charts in a row, where they are a matrix; one without series is a gap
   Bars bars{};
+  Parallel parallel{};
   std::vector<Phrase> sentences{};
   std::vector<Phrase> remarks{};  ///< one thing each, below the sentences
   std::vector<Table> tables{};
   bool folded{false};  ///< a page shows the tables when asked for
   bool wide{true};     ///< takes the whole width of a page
+  bool on_page{true};  ///< false: in pictures alone; a page lets its reader choose the axes
   /// What a page and its pictures add below the sentences, which needs a reader who points at it or chooses. Without a
   /// heading it takes the place of the section.
   std::string hook{};
@@ -215,14 +258,46 @@ struct Headline {
 
 Headline headline(const StudyResult& result);
 
+/// A motor of an answer with points of its curve.
+struct MotorCurve {
+  std::string name;
+  Motor motor;
+  std::vector<OperatingPoint> points{};  ///< in the order of their speeds
+  std::size_t place{0};                  ///< among the curves of a page, which has its columns
+  bool whole{true};  ///< a page has all of its columns, or speed and torque alone
+};
+
+/// The curve of a motor at so many equally spaced speeds, with some of its parameters replaced [SI]; nothing if the
+/// values make no motor.
+std::optional<MotorCurve> motor_curve(const std::string& name, const MotorDesign& base,
+                                      const std::vector<NamedValue>& values, std::size_t points);
+
+/// Which points of a front have a curve.
+enum class FrontCurves : unsigned char {
+  ends,  ///< its ends and its knee
+  all,
+};
+
+/// The motors whose curves an answer shows, the one asked for last. Each costs as many operating points.
+std::vector<MotorCurve> motor_curves(const StudyResult& result, std::size_t points,
+                                     FrontCurves front = FrontCurves::all);
+
+/// Charts over the speed of these motors: torque, power, efficiency, and what else there is for each of them.
+std::vector<Chart> curve_charts(std::span<const MotorCurve> curves);
+
+/// Pressure, traction and velocities over the phase of the wave: axes, and names and colours of the lines. Their numbers
+/// are those of a speed, which a page takes from its cursor.
+std::vector<Chart> contact_charts();
+
 /// What a study was asked, and what it has computed, as far as it is known.
 struct Sources {
   const StudyFile* study{nullptr};
   const ResultStore* rows{nullptr};
+  const std::vector<MotorCurve>* curves{nullptr};  ///< see motor_curves()
 };
 
 /// What is said about an answer below its headline, in this order.
-/// @param sources  ranges, curves through measured points, and charts of rows are left out without them
+/// @param sources  ranges, curves through measured points, charts of rows and of motors are left out without them
 std::vector<Section> sections(const StudyResult& result, const Sources& sources = {});
 
 /// What a point is on its front, such as "largest peak power, knee"; empty for the others.

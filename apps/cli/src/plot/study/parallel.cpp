@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/parallel.hpp"
 
+#include "plot/crowd.hpp"
 #include "plot/panel_scale.hpp"
 #include "plot/style.hpp"
 
@@ -20,7 +21,7 @@ constexpr int kPageWidth = 720, kMarginLeft = 30, kMarginRight = 30, kTitleHeigh
 
 // An axis across the page, under the last one.
 struct PlacedAxis {
-  const ParallelAxis& axis;
+  const telling::Parallel::Quantity& axis;
   Extent ends;
   studies::DisplayUnit unit;
   int y;  // above the lower edge of the page
@@ -42,10 +43,10 @@ Extent ends_of(const std::vector<double>& values) {
   return {ends.low - room, ends.high + room};
 }
 
-std::vector<PlacedAxis> placed(const std::vector<ParallelAxis>& axes, int height) {
+std::vector<PlacedAxis> placed(const std::vector<telling::Parallel::Quantity>& axes, int height) {
   std::vector<PlacedAxis> list;
-  for (const ParallelAxis& axis : axes) {
-    const Extent ends = ends_of(axis.values);
+  for (const telling::Parallel::Quantity& axis : axes) {
+    const Extent ends = ends_of(axis.values.values);
     const double largest = std::max(std::abs(ends.low), std::abs(ends.high));
     const int y =
         height - kTitleHeight - kAxisHeight / 2 - kAxisHeight * static_cast<int>(list.size());
@@ -70,7 +71,7 @@ std::string axis_text(const PlacedAxis& a) {
   return "set arrow from " + std::to_string(kMarginLeft) + ", " + y + " to " +
          std::to_string(kPageWidth - kMarginRight) + ", " + y +
          " nohead front linewidth 1.5 linecolor rgb '#444444'\n" +
-         label(a.axis.name + unit, kMarginLeft, a.y + 15, "left") +
+         label(read(a.axis.name) + unit, kMarginLeft, a.y + 15, "left") +
          label(number(a.ends.low), kMarginLeft, a.y - 13, "left") +
          label(number(a.ends.high), kPageWidth - kMarginRight, a.y - 13, "right");
 }
@@ -79,7 +80,7 @@ std::string axis_text(const PlacedAxis& a) {
 void add_line(std::vector<std::vector<double>>& points, const std::vector<PlacedAxis>& axes,
               std::size_t row) {
   for (const PlacedAxis& a : axes)
-    points.push_back({a.across(a.axis.values[row]), static_cast<double>(a.y)});
+    points.push_back({a.across(a.axis.values.values[row]), static_cast<double>(a.y)});
   points.push_back({std::nan(""), std::nan("")});
 }
 
@@ -95,11 +96,11 @@ std::string colour_of_lines(std::size_t count) {
 
 }  // namespace
 
-Picture parallel_picture(const std::string& name, const std::string& title,
-                         const std::vector<ParallelAxis>& axes,
-                         const std::vector<std::size_t>& rows) {
-  const int height = kTitleHeight + kAxisHeight * static_cast<int>(axes.size()) + kMarginBelow;
-  const std::vector<PlacedAxis> places = placed(axes, height);
+Picture parallel_picture(const std::string& title, const telling::Parallel& told) {
+  const int height = kTitleHeight + kAxisHeight * static_cast<int>(told.axes.size()) + kMarginBelow;
+  const std::vector<PlacedAxis> places = placed(told.axes, height);
+  const std::vector<std::size_t> rows =
+      shown_rows(told.axes.front().values.values.size(), telling::kMostLines);
   std::vector<std::vector<double>> points;
   for (const std::size_t row : rows) add_line(points, places, row);
   std::string script = plot_style(plot_text(studies::printable(title, 68)), height) +
@@ -111,7 +112,7 @@ Picture parallel_picture(const std::string& name, const std::string& title,
   script += "set xrange [0:" + std::to_string(kPageWidth) +
             "]\nset yrange [0:" + std::to_string(height) + "]\n";
   for (const PlacedAxis& a : places) script += axis_text(a);
-  return {name,
+  return {told.name,
           {kPageWidth, height},
           script + "plot $d0 using 1:2 with lines linewidth 1.2 linecolor rgb '" +
               colour_of_lines(rows.size()) + "' title ''\n"};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/told_pictures.hpp"
 
-#include "plot/study/curve_pictures.hpp"
+#include "plot/fields_plot.hpp"
+#include "plot/study/parallel.hpp"
 #include "plot/style.hpp"
+#include "plot/told_panel.hpp"
 
-#include <twum/studies/telling.hpp>
+#include <twum/core/metrics.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -13,121 +15,59 @@
 namespace twum::cli {
 namespace {
 
-namespace telling = studies::telling;
+// A curve some 600 points of the page wide.
+constexpr std::size_t kCurvePoints = 301;
 
-std::string read(const telling::Phrase& phrase) {
-  return telling::written(phrase, telling::Writing::read);
-}
-
-// Room about the values, as the page has it.
-constexpr double kPad = 0.09;
-
-Axis axis_of(const telling::Axis& told) {
-  const bool ends = std::isfinite(told.low) && std::isfinite(told.high);
-  return {read(told.name), told.unit, told.zero, ends ? 0 : kPad, told.low, told.high};
-}
-
-std::string colour_named(const std::string& name) {
-  if (name == "ink") return "#000000";
-  if (name == "soft") return "#666666";
-  if (name == "faint") return "#BBBBBB";
-  return colour_of(static_cast<std::size_t>(name.at(1) - '0'));
-}
-
-std::vector<std::vector<double>> rows_of(const telling::Series& told) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t i = 0; i < told.y.values.size(); ++i) {
-    const double x = told.x.values[i], y = told.y.values[i];
-    if (told.stroke == telling::Stroke::bars) {
-      if (y > 0) rows.push_back({x, told.x.values[i + 1], 0, y});
-    } else {
-      rows.push_back({x, y});
-      if (told.stroke == telling::Stroke::outline) rows.push_back({told.x.values[i + 1], y});
-    }
-  }
-  return rows;
-}
-
-Draw draw_of(telling::Stroke stroke) {
-  using telling::Stroke;
-  switch (stroke) {
-    case Stroke::dashes: return Draw::dashes;
-    case Stroke::dots: return Draw::dots;
-    case Stroke::steps: return Draw::steps;
-    case Stroke::bars: return Draw::boxes;
-    case Stroke::contour: return Draw::thin;
-    case Stroke::line:
-    case Stroke::path:
-    case Stroke::outline: break;
-  }
-  return Draw::line;
-}
-
-void add_series(Panel& panel, const telling::Series& told) {
-  const bool named =
-      std::ranges::find(panel.series, told.name, &Series::name) != panel.series.end();
-  const std::string colour = colour_named(told.colour);
-  if (!told.low.values.empty()) {
-    Series band{told.band, Draw::band, colour, {}};
-    for (std::size_t i = 0; i < told.low.values.size(); ++i)
-      if (std::isfinite(told.low.values[i]))
-        band.rows.push_back({told.x.values[i], told.low.values[i], told.high.values[i]});
-    panel.series.push_back(std::move(band));
-  }
-  Series series{named ? "" : told.name, draw_of(told.stroke), colour, rows_of(told)};
-  if (!series.rows.empty()) panel.series.push_back(std::move(series));
-}
-
-Guide guide_of(const telling::Guide& told) {
-  using Kind = telling::Guide::Kind;
-  const bool limit = told.kind == Kind::limit;
-  return {told.at, told.kind != Kind::level, read(told.text),
-          limit ? colour::kVermilion : "#444444", told.kind == Kind::quantile};
-}
-
-// The colour of a cell is that of the middle of its band.
-void add_field(Panel& panel, const telling::Field& field) {
-  if (field.levels.empty()) return;
-  panel.colours = {read(field.name),     field.unit,         false, 0,
-                   field.levels.front(), field.levels.back()};
-  panel.bands = field.levels.size() - 1;
-  Series cells{"", Draw::image, "", {}};
-  const auto between = [](double from, double to, std::size_t i, std::size_t count) {
-    return from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
-  };
-  for (std::size_t j = 0; j < field.rows; ++j)
-    for (std::size_t i = 0; i < field.columns; ++i) {
-      const signed char band = field.bands[j * field.columns + i];
-      const auto k = static_cast<std::size_t>(std::max<signed char>(band, 0));
-      cells.rows.push_back({between(field.left, field.right, i, field.columns),
-                            between(field.bottom, field.top, j, field.rows),
-                            band < 0 ? kNoValue : 0.5 * (field.levels[k] + field.levels[k + 1])});
-    }
-  panel.series.push_back(std::move(cells));
-}
-
-Panel panel_of(const telling::Chart& chart) {
-  Panel panel{axis_of(chart.x), axis_of(chart.y), {}};
-  add_field(panel, chart.field);
-  for (const telling::Series& series : chart.series) add_series(panel, series);
-  for (const telling::Guide& guide : chart.guides) panel.guides.push_back(guide_of(guide));
-  for (const telling::Mark& mark : chart.marks)
-    panel.marks.push_back({mark.x, mark.y, read(mark.text), mark.dot});
-  panel.one_scale = chart.one_scale;
-  return panel;
-}
-
-// Several charts are panels over one axis.
-Picture chart_picture(const FinishedStudy& study, const telling::Section& section) {
-  const bool one = section.charts.size() == 1;
-  Chart chart{study.title(read(one ? section.charts.front().title : section.heading)),
-              {},
-              !one,
-              section.columns};
-  for (const telling::Chart& told : section.charts) chart.panels.push_back(panel_of(told));
-  std::string name = one ? section.charts.front().name : read(section.heading);
+std::string file_name(std::string name) {
   name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-  return picture_of(file_word(name), chart);
+  return file_word(name);
+}
+
+// The charts of a section, with those of the others of its picture.
+std::vector<telling::Chart> charts_of(const telling::Section& section,
+                                      const std::vector<telling::Section>& all) {
+  if (section.picture.empty()) return section.charts;
+  std::vector<telling::Chart> charts;
+  for (const telling::Section& other : all)
+    if (other.picture == section.picture)
+      charts.insert(charts.end(), other.charts.begin(), other.charts.end());
+  return charts;
+}
+
+Picture chart_picture(const FinishedStudy& study, const telling::Section& section,
+                      const std::vector<telling::Section>& all) {
+  const std::vector<telling::Chart> charts = charts_of(section, all);
+  const std::string what = charts.size() > section.charts.size() ? section.picture
+                           : charts.size() == 1                  ? read(charts.front().title)
+                                                                 : read(section.heading);
+  const std::string name = !section.picture.empty() ? section.picture
+                           : charts.size() == 1     ? charts.front().name
+                                                    : file_name(what);
+  return picture_of(file_word(name), told_chart(study.title(what), charts, section.columns));
+}
+
+bool is_maps(const telling::Section& section) {
+  return !section.charts.empty() && !section.charts.front().colours.name.empty();
+}
+
+// Each map has a picture of its own, for the scale of its colours needs height.
+void add_maps(std::vector<Picture>& pictures, const FinishedStudy& study,
+              const telling::Section& section) {
+  for (const telling::Chart& chart : section.charts)
+    pictures.push_back(picture_of(file_word(chart.name),
+                                  told_chart(study.title("map of " + read(chart.title)), {chart})));
+}
+
+// The contact of a motor alone at its peak power.
+void add_fields(std::vector<Picture>& pictures, const FinishedStudy& study, const Motor& motor) {
+  const MetricValue speed = evaluate(motor, {Metric::speed_at_peak_power, Argument::none, 0});
+  if (speed.status != MetricStatus::ok ||
+      motor.fields(speed.value, 2).point.status != PointStatus::ok)
+    return;
+  const studies::MotorFile at{study.title("at peak power"), motor.design()};
+  pictures.push_back(
+      {"fields", kFieldsPlotSize,
+       motor.radial_slices() != 1 ? fields_map(at, speed.value) : fields_plot(at, speed.value)});
 }
 
 using Row = std::vector<telling::Phrase>;
@@ -171,23 +111,31 @@ Picture bars_picture(const FinishedStudy& study, const telling::Section& section
   return picture_of(file_word(bars.name), {study.title(read(bars.title)), {panel}});
 }
 
-// The curve of the study's motor.
-void add_motor_pictures(std::vector<Picture>& pictures, const FinishedStudy& study) {
-  std::vector<NamedMotor> motors;
-  add_motor(motors, "motor", study.result.design, {});
-  add_curve_pictures(pictures, study.title("the motor"), motors);
+// Whether an earlier section has its charts in the same picture.
+bool is_drawn(const std::vector<Picture>& pictures, const telling::Section& section) {
+  return !section.picture.empty() &&
+         std::ranges::find(pictures, section.picture, &Picture::name) != pictures.end();
 }
 
 }  // namespace
 
 std::vector<Picture> told_pictures(const FinishedStudy& study) {
+  const std::vector<telling::MotorCurve> curves =
+      telling::motor_curves(study.result, kCurvePoints, telling::FrontCurves::ends);
+  const std::vector<telling::Section> sections =
+      telling::sections(study.result, {&study.file, &study.store, &curves});
   std::vector<Picture> pictures;
-  for (const telling::Section& section :
-       telling::sections(study.result, {&study.file, &study.store})) {
-    if (!section.charts.empty()) pictures.push_back(chart_picture(study, section));
+  for (const telling::Section& section : sections) {
+    if (section.hook == "fields") {
+      if (curves.size() == 1) add_fields(pictures, study, curves.front().motor);
+    } else if (is_maps(section))
+      add_maps(pictures, study, section);
+    else if (!section.charts.empty() && !is_drawn(pictures, section))
+      pictures.push_back(chart_picture(study, section, sections));
     if (section.bars.of > 0 && !sorted_rows(section).empty())
       pictures.push_back(bars_picture(study, section));
-    if (section.hook == "motor") add_motor_pictures(pictures, study);
+    if (!section.parallel.axes.empty())
+      pictures.push_back(parallel_picture(study.title(read(section.heading)), section.parallel));
   }
   return pictures;
 }
