@@ -21,7 +21,7 @@ class WorkIn;
 class Workspace {
  public:
   /// Takes memory from the heap.
-  /// @param bytes  the default is ten times what a point of a driven motor with `auto` slices needs [byte]
+  /// @param bytes  the default is eight times what the points of drive-60 with `auto` slices need, and enough for its metrics [byte]
   explicit Workspace(std::size_t bytes = std::size_t{1} << 20);
   /// A workspace that was moved from holds no memory: calls with it use the heap.
   /// @{
