@@ -3,6 +3,7 @@
 // after the other. Ratios count.
 #include "contact/lane_laps.hpp"
 #include "model/motor_model.hpp"
+#include "point/slice_count.hpp"
 #include "support/test_motors.hpp"
 #include "timing.hpp"
 

@@ -3,6 +3,7 @@
 // median is to that of one slice.
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
+#include <twum/core/workspace.hpp>
 #include <twum/motors/motor_file.hpp>
 
 #include <algorithm>
@@ -38,23 +39,29 @@ struct Latency {
 };
 
 // Points between the first speed and 1.2 of the no-load speed, none twice.
-Latency latency_of(const Motor& motor) {
+template <typename Point>
+Latency latency_of(const Motor& motor, Point point) {
   const double first = motor.first_speed();
   const double last = 1.2 * evaluate(motor, {Metric::no_load_speed}).value;
   std::vector<double> times;
   times.reserve(kCalls);
-  double sum = 0;
+  double sum = point(first).speed;  // warm
   const long before = taken;
   for (int i = 0; i < kCalls; ++i) {
     const double share = static_cast<double>((i * 7919L) % kCalls) / kCalls;
     const auto begin = Clock::now();
-    sum += motor.operating_point(first + share * (last - first)).speed;
+    sum += point(first + share * (last - first)).speed;
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
   }
   const double allocations = static_cast<double>(taken - before) / kCalls;
   std::ranges::sort(times);
   if (!(sum > 0)) std::abort();
   return {times[kCalls / 2], times[kCalls / 100 * 99], allocations};
+}
+
+void print(const char* name, const char* memory, const Latency& found, double one) {
+  std::printf("| %s | %s | %.3g us | %.3g us | %.3g | %.3g |\n", name, memory, found.median,
+              found.slow, found.allocations, found.median / one);
 }
 
 }  // namespace
@@ -75,12 +82,15 @@ int main() {
       {"drive-60, one slice", sliced(driven, 1)},
       {"drive-60, auto", sliced(driven, kAutoSlices)}};
   double one = 0;
-  std::printf("| motor | median | 99 of 100 | allocations | median, one slice = 1 |\n");
-  std::printf("| --- | --- | --- | --- | --- |\n");
+  std::printf("| motor | memory | median | 99 of 100 | allocations | median, one slice = 1 |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- |\n");
   for (const auto& [name, motor] : motors) {
-    const Latency found = latency_of(motor);
+    const auto on_heap = [&](double speed) { return motor.operating_point(speed); };
+    const Latency found = latency_of(motor, on_heap);
     if (one == 0) one = found.median;
-    std::printf("| %s | %.3g us | %.3g us | %.3g | %.3g |\n", name, found.median, found.slow,
-                found.allocations, found.median / one);
+    print(name, "heap", found, one);
+    Workspace workspace;
+    const auto in_workspace = [&](double speed) { return motor.operating_point(speed, workspace); };
+    print(name, "workspace", latency_of(motor, in_workspace), one);
   }
 }

@@ -4,6 +4,8 @@
 # Makes the target twum_NAME with the alias twum::NAME, its public headers (each must compile alone:
 # target all_verify_interface_header_sets) and the project's compile flags, kept private. It is
 # installed as twum::NAME, by itself or with others as COMPONENT of the package (TwumPackage.cmake).
+include(CheckLinkerFlag)
+check_linker_flag(CXX LINKER:--default-symver TWUM_LINKER_VERSIONS_SYMBOLS)
 function(twum_library name)
   cmake_parse_arguments(ARG "" "COMPONENT" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(twum_${name})
@@ -26,9 +28,12 @@ function(twum_library name)
     OPTIMIZE_DEPENDENCIES ON  # no library waits for those below it
     UNITY_BUILD ${TWUM_UNITY}
     UNITY_BUILD_BATCH_SIZE 12)
-  # A plugin of someone else's that takes static libraries passes none of their symbols on. Shared ones export all of theirs.
+  # A plugin of someone else's that takes static libraries passes none of their symbols on. Shared ones export all of theirs, with
+  # their file's name and version as version of the symbol: plugins of one program may use different versions.
   if(NOT BUILD_SHARED_LIBS)
     set_target_properties(twum_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  elseif(TWUM_LINKER_VERSIONS_SYMBOLS)
+    target_link_options(twum_${name} PRIVATE LINKER:--default-symver)
   endif()
   if(TWUM_INSTALL)
     twum_install_library(${name} ${ARG_COMPONENT})

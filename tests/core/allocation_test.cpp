@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/driven_motors.hpp"
+#include "support/metric_requests.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -84,4 +86,62 @@ TEST_CASE("no design of the box makes an operating point take from the heap",
     sum += taken.load() - before;
   }
   CHECK(sum == 0);
+}
+
+namespace {
+
+// The last one is drive-60 as its file.
+MotorDesign demanding_motor(int which, int slices) {
+  MotorDesign design = which == 4   ? driven_motor_with_layer()
+                       : which == 0 ? elastic(ring_motor())
+                       : which == 1 ? damped(ring_motor())
+                                    : ring_motor();  // with inertia
+  if (which == 3) design.friction.threshold = 1.3 * design.friction.kinetic;
+  if (which == 4) design.stator.quality_factor = 153;
+  design.stator.radial_slices = slices;
+  return design;
+}
+
+// All that follow from the torque-speed curve of the cold, new motor.
+std::vector<MetricRequest> metrics_of_curve(double speed, double torque) {
+  std::vector<MetricRequest> asked = every_metric(speed, torque);
+  std::erase_if(asked, [](const MetricRequest& request) {
+    const MetricInfo& row = info(request.metric);
+    return row.needs_thermal || row.needs_operation || row.needs_wear || row.needs_motion ||
+           row.needs_geometry || request.metric == Metric::voltage_reserve_at;
+  });
+  return asked;
+}
+
+}  // namespace
+
+TEST_CASE("in a warm workspace an operating point takes nothing from the heap",
+          "[core][point][work]") {
+  const MotorDesign design =
+      demanding_motor(GENERATE(range(0, 5)), GENERATE(1, 8, int{kAutoSlices}));
+  CAPTURE(design.stator.radial_slices, design.stator.voltage.has_value());
+  const Motor motor(design);
+  Workspace workspace;
+  motor.operating_point(motor.first_speed(), workspace);
+  double sum = 0;
+  const long before = taken.load();
+  for (int i = -20; i <= 150; ++i)
+    sum += motor.operating_point(0.01 * i * motor.crest_speed(), workspace).speed;
+  CHECK(taken.load() == before);
+  CHECK(std::isfinite(sum));
+}
+
+TEST_CASE("in a warm workspace all metrics of the curve take nothing from the heap",
+          "[core][metrics][work]") {
+  const MotorDesign design =
+      demanding_motor(GENERATE(range(0, 5)), GENERATE(1, 8, int{kAutoSlices}));
+  CAPTURE(design.stator.radial_slices, design.stator.voltage.has_value());
+  const Motor motor(design);
+  const std::vector<MetricRequest> asked = metrics_of_curve(0.4 * motor.crest_speed(), 0.2);
+  std::vector<MetricValue> values(asked.size());
+  Workspace workspace;
+  evaluate(motor, asked, values, workspace);
+  const long before = taken.load();
+  evaluate(motor, asked, values, workspace);
+  CHECK(taken.load() == before);
 }

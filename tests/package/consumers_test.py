@@ -69,6 +69,17 @@ class FindPackage(Case):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("library_was_built_with_glibcxx_debug", done.stdout)
 
+    def test_a_program_with_headers_of_another_version_does_not_link(self):
+        header = self.folder / "twum/base/version.hpp"
+        header.parent.mkdir(parents=True)
+        own = (PREFIX / "include/twum/base/version.hpp").read_text()
+        header.write_text(re.sub(r"(VERSION_MINOR) \d+", r"\1 99", own))
+        done = self.configure("-DPART=core")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        done = run(ARGUMENTS.cmake, "--build", self.folder / "build", "--target", "consumer", env={"CPATH": str(self.folder)})
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"undefined reference to `twum::base::library_has_version_\d+_99'")
+
     def test_core_alone_needs_no_solver_and_no_yaml(self):
         refused = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("NLopt", "yaml-cpp", "PkgConfig")]
         program = self.consumer("-DPART=core", *refused)
@@ -202,6 +213,10 @@ class AddSubdirectory(Case):
                                 "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -fno-inline -D_GLIBCXX_ASSERTIONS")
         self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
         self.assertFalse((self.folder / "build/twum/tests").exists())
+        library = next((self.folder / "build").rglob("libtwum_core.so"))
+        names = [row.split()[-1] for row in self.ok("nm", "-D", "--defined-only", library).splitlines()]
+        unversioned = [name for name in names if "4twum" in name and "@@libtwum_core.so." not in name]
+        self.assertEqual(unversioned, [])
 
 
 def setUpModule():

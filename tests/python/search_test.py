@@ -2,6 +2,7 @@
 """Questions about motors from Python: optima, fronts, sizing, two at once, Ctrl-C."""
 import _thread
 import pathlib
+import pickle
 import threading
 import unittest
 
@@ -119,6 +120,54 @@ class Search(unittest.TestCase):
                             (lambda: question(twum.Motor()).size((1, 2), seeds=1), "did you mean 'seed'")):
             with self.assertRaisesRegex(twum.InputError, words):
                 call()
+
+    def test_a_function_as_metric_finds_what_the_metric_finds(self):
+        # The holding torque mu_0 F_N r is a metric of twum, too.
+        def holding(motor):
+            return motor.static_friction * motor.preload * motor.contact_radius
+
+        def slopes(motor):  # mu_0 keeps its ratio to mu, so mu moves it
+            return {"preload": holding(motor) / motor.preload, "contact_radius": holding(motor) / motor.contact_radius,
+                    "kinetic_friction": holding(motor) / motor.kinetic_friction}
+
+        own, ours = question(twum.Motor(RING)).maximize("peak_power"), question(twum.Motor(RING)).maximize("peak_power")
+        found = own.limit("holding", holding, upper=0.7, gradient=slopes, unit="N.m").solve(jobs=2)
+        wanted = ours.limit("holding_torque <= 0.7 N.m").solve()
+        self.assertEqual(found.outcome, "optimal")
+        self.assertEqual(found.limits[2]["text"], "holding <= 0.7 N.m")
+        # Three products may be rounded in another order, and both searches end within 1e-6 of the limit.
+        self.assertAlmostEqual(found.design["preload"], wanted.design["preload"], delta=1e-4)
+        self.assertIn("limit holding <= 0.7 N.m", repr(own))
+
+    def test_a_function_without_derivatives_takes_a_solver_without_gradients(self):
+        def off(motor):
+            return (motor.holding_torque - 0.53) ** 2
+
+        problem = twum.DesignProblem(twum.Motor()).vary("preload", 60, 300).minimize(off, unit="N^2.m^2")
+        with self.assertRaisesRegex(twum.InputError, "derivatives"):
+            problem.solve()
+        best = problem.solve(solver="nlopt:sbplx")
+        self.assertEqual(list(best.objective), ["off"])
+        # The preload 0.53 / (mu_0 r); the solver ends at 1e-4 of the range.
+        self.assertAlmostEqual(best.design["preload"], 100, delta=0.1)
+
+    def test_what_a_metric_raises_reaches_the_caller(self):
+        def broken(motor):
+            raise ZeroDivisionError("of mine")
+
+        def none(motor):
+            raise twum.EvaluationError("not for sale")
+
+        def problem(function):
+            return twum.DesignProblem(twum.Motor()).vary("preload", 60, 300).minimize(function)
+
+        with self.assertRaisesRegex(ZeroDivisionError, "of mine"):
+            problem(broken).solve(solver="nlopt:sbplx")
+        self.assertEqual(problem(none).solve(solver="nlopt:sbplx", max_evaluations=20).outcome, "failed")
+        with self.assertRaisesRegex(TypeError, "pickled"):
+            pickle.dumps(problem(broken))
+        with self.assertRaisesRegex(twum.InputError, "letters, digits"):
+            problem(lambda motor: 1.0)
 
     def test_ctrl_c_ends_a_search(self):
         timer = threading.Timer(0.2, _thread.interrupt_main)

@@ -23,6 +23,21 @@ def solve() -> twum.Optimum:
     return problem.solve(solver="auto", starts=2, stop=threading.Event(), progress=tell)
 
 
+def cost(of: twum.Motor) -> float:
+    return 2e3 * of.contact_radius * of.contact_width
+
+
+def cost_slopes(of: twum.Motor) -> dict[str, float]:
+    return {"contact_radius": 2e3 * of.contact_width, "contact_width": 2e3 * of.contact_radius}
+
+
+cheap = twum.DesignProblem(motor).vary("contact_radius", "20 mm", "30 mm").minimize(cost, gradient=cost_slopes)
+cheap.limit("cost_again", cost, upper=0.25, gradient=cost_slopes)
+smallest: float = cheap.solve(starts=1).objective["cost"]
+units: dict[str, str] = {row["name"]: row["unit"] for row in twum.metric_table()}
+lowest: float = twum.parameter_table()[0]["min"]
+local: bool = not twum.solver_table()[0]["global"]
+
 best = solve()
 price: float = sum(one["multiplier"] for one in best.limits)
 passed: bool = best.certificate["passed"]

@@ -4,7 +4,9 @@
 #include <twum/core/motor.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/optim/check_derivatives.hpp>
+#include <twum/optim/robust.hpp>
 #include <twum/optim/solve.hpp>
+#include <twum/studies/robust_question.hpp>
 #include <twum/studies/run_study.hpp>
 #include <twum/studies/sizing.hpp>
 
@@ -115,6 +117,31 @@ TEST_CASE("an own metric without derivatives needs a solver without gradients", 
   // The preload 0.53 / (mu_0 r). A square is level to 1e-16 of its unit within 1e-8; the solver ends at 1e-4 of the range.
   CHECK(found.motor.preload ==
         Approx(0.53 / (0.2 * found.motor.stator.contact_radius)).epsilon(1e-3));
+}
+
+TEST_CASE("a function alone is a goal or a limit", "[studies][own]") {
+  const auto torque = [](const Motor& motor) { return motor.holding_torque(); };
+  DesignProblem p{MotorDesign{}};
+  p.vary(Parameter::preload, 60, 300).maximize(torque).limit("half", torque, -kNoLimit, 0.53);
+  CHECK(p.objectives[0].text() == "own");
+  CHECK(p.limits[0].text == "half <= 0.53");
+  const optim::Evaluation found = motor_problem(p).evaluate(std::vector{100.0}, false);
+  CHECK(found.values[0] == torque(Motor(motor_of(p, std::vector{100.0}))));
+  CHECK(found.values[1] == found.values[0]);
+}
+
+TEST_CASE("an own metric is a limit of motors that scatter, and a goal", "[studies][own][robust]") {
+  const auto question = [](auto limit) {
+    RobustQuestion asked{{MotorDesign{}}};
+    asked.design.vary(Parameter::preload, 60, 300).minimize("max_pressure");
+    limit(asked.design);
+    asked.tolerances = {{.parameter = Parameter::kinetic_friction, .sd = Spread{0.03, true}}};
+    asked.statistics = {parse_statistic_limit("yield >= 95 %")};
+    return optim::solve_robust(robust_problem(asked));
+  };
+  const auto own = question([](DesignProblem& p) { p.limit(holding(), 0.4, kNoLimit); });
+  const auto ours = question([](DesignProblem& p) { p.limit("holding_torque >= 0.4 N.m"); });
+  CHECK(own.design == ours.design);
 }
 
 TEST_CASE("a study, which is checked as a file is, refuses own metrics", "[studies][own]") {

@@ -2,6 +2,7 @@
 // Questions about a motor and their answers.
 #include "conversions.hpp"
 #include "interruptible.hpp"
+#include "own_metric.hpp"
 #include "parts.hpp"
 #include "problem_state.hpp"
 
@@ -305,6 +306,68 @@ py::object size_motor(const PyProblem& self, const py::object& duty, const std::
                  }));
 }
 
+// --- metrics that functions compute
+
+// The functions that go with a metric that one computes; none of them goes with a text.
+void require_none(const char* what, const py::object& function, const py::object& gradient) {
+  if (!function.is_none() || !gradient.is_none())
+    throw py::type_error(std::string(what) + ": only of a metric that a function computes");
+}
+
+PyProblem& want(PyProblem& self, bool maximize, const py::object& metric, const py::object& name,
+                const py::object& gradient, const std::string& unit) {
+  if (PyCallable_Check(metric.ptr()) != 0) {
+    studies::OwnMetric own = to_own_metric(metric, name, gradient, unit, self.name);
+    maximize ? self.problem.maximize(std::move(own)) : self.problem.minimize(std::move(own));
+    return self;
+  }
+  require_none("name and gradient", name, gradient);
+  const std::string text = to_text("metric", metric);
+  maximize ? self.problem.maximize(text) : self.problem.minimize(text);
+  self.problem.objectives.back().metric.text = text;  // as typed, a key of Optimum.objective
+  return self;
+}
+
+PyProblem& limit(PyProblem& self, const std::string& text, const py::object& function, double lower,
+                 double upper, const py::object& gradient, const std::string& unit) {
+  if (function.is_none()) {
+    require_none("gradient", function, gradient);
+    self.problem.limit(text);
+  } else {
+    self.problem.limit(to_own_metric(function, py::str(text), gradient, unit, self.name), lower,
+                       upper);
+  }
+  return self;
+}
+
+void add_goals(Class& problem) {
+  for (const bool maximize : {true, false})
+    problem.def(
+        maximize ? "maximize" : "minimize",
+        [maximize](PyProblem& self, const py::object& metric, const py::object& name,
+                   const py::object& gradient, const std::string& unit) -> PyProblem& {
+          return want(self, maximize, metric, name, gradient, unit);
+        },
+        py::arg("metric"), py::kw_only(), py::arg("name") = py::none(),
+        py::arg("gradient") = py::none(), py::arg("unit") = "1",
+        maximize ? "maximize(self, metric, *, name=None, gradient=None, unit='1')\n--\n\nWants a "
+                   "metric to be large: a text, or a function as of limit()."
+                 : "minimize(self, metric, *, name=None, gradient=None, unit='1')\n--\n\nWants a "
+                   "metric to be small: a text, or a function as of limit().");
+  problem.def(
+      "limit", &limit, py::arg("text"), py::arg("function") = py::none(),
+      py::arg("lower") = -optim::kInfinity, py::arg("upper") = optim::kInfinity, py::kw_only(),
+      py::arg("gradient") = py::none(), py::arg("unit") = "1",
+      "limit(self, text, function=None, lower=-inf, upper=inf, *, gradient=None, unit='1')\n--\n\n"
+      "Asks for something such as 'max_pressure <= 10 MPa', or keeps function(motor), a number "
+      "with\nthe name `text`, between lower and upper. gradient(motor) is a dict from names of "
+      "parameters\nto derivatives, in which those that are missing are 0. Without it, solve() "
+      "needs "
+      "a solver\nwithout gradients. Both functions are called on other threads.");
+}
+
+// --- what is asked of a problem
+
 void add_asking(Class& problem) {
   problem.def(
       "solve", &solve_problem,
@@ -359,32 +422,7 @@ void add_problem(py::module_& module) {
       "choose(self, name, sets)\n--\n\nLets the design have one of several sets of parameters that "
       "belong together: a list of files,\nor a dict from names to files or to dicts of parameters. "
       "Every combination of several choices is solved.");
-  problem.def(
-      "maximize",
-      [](PyProblem& self, const std::string& metric) -> PyProblem& {
-        self.problem.maximize(metric);
-        self.problem.objectives.back().metric.text =
-            metric;  // as typed, a key of Optimum.objective
-        return self;
-      },
-      py::arg("metric"), "maximize(self, metric)\n--\n\nWants a metric to be large.");
-  problem.def(
-      "minimize",
-      [](PyProblem& self, const std::string& metric) -> PyProblem& {
-        self.problem.minimize(metric);
-        self.problem.objectives.back().metric.text =
-            metric;  // as typed, a key of Optimum.objective
-        return self;
-      },
-      py::arg("metric"), "minimize(self, metric)\n--\n\nWants a metric to be small.");
-  problem.def(
-      "limit",
-      [](PyProblem& self, const std::string& text) -> PyProblem& {
-        self.problem.limit(text);
-        return self;
-      },
-      py::arg("text"),
-      "limit(self, text)\n--\n\nAsks for something such as 'max_pressure <= 10 MPa'.");
+  add_goals(problem);
   problem.def("__repr__", &problem_text);
   add_asking(problem);
   add_pickling(problem, problem_state, problem_from);

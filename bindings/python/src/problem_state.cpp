@@ -6,8 +6,11 @@
 #include <twum/motors/motor_file.hpp>
 #include <twum/motors/settings.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 namespace twum::python {
 
@@ -22,10 +25,21 @@ py::dict set_values(const studies::ParameterSet& set) {
   return values;
 }
 
+template <typename List>
+bool has_functions(const List& list) {
+  return std::ranges::any_of(list, [](const auto& one) {
+    return std::ranges::any_of(one.metric.terms, [](const studies::Term& term) {
+      return std::holds_alternative<std::shared_ptr<const studies::OwnMetric>>(term);
+    });
+  });
+}
+
 }  // namespace
 
 py::dict problem_state(const PyProblem& self) {
   const DesignProblem& problem = self.problem;
+  if (has_functions(problem.objectives) || has_functions(problem.limits))
+    throw py::type_error("a problem with a function as a metric cannot be pickled");
   return py::dict("motor"_a = studies::motor_text({self.name, problem.motor}),
                   "variables"_a = list_of(problem.variables,
                                           [](const studies::DesignVariable& one) {

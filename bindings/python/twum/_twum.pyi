@@ -6,7 +6,7 @@ from typing import Any, Callable, Iterable, List, Mapping, Protocol, Sequence, T
 import numpy as np
 from numpy.typing import NDArray
 
-from .results import Curve, Derivatives, Fields, Motion, Optimum, Plant
+from .results import Curve, Derivatives, Fields, MetricRow, Motion, Optimum, ParameterRow, Plant, SolverRow
 
 _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
 _Row = Tuple[_Quantity, _Quantity]
@@ -15,6 +15,9 @@ _Numbers = Union[Sequence[float], List[str], Tuple[str, ...], NDArray[Any]]
 _Path = Union[str, os.PathLike[str]]
 _Duty = Tuple[_Quantity, _Quantity]
 _Progress = Union[bool, Callable[[int, int, str], object]]
+
+_OwnMetric = Callable[["Motor"], float]
+_OwnGradient = Callable[["Motor"], Mapping[str, float]]
 
 class _Stop(Protocol):
     def is_set(self) -> bool: ...
@@ -1191,9 +1194,31 @@ class DesignProblem:
         name: str,
         sets: Iterable[_Path] | Mapping[str, _Path | Mapping[str, _Quantity]],
     ) -> DesignProblem: ...
+    @overload
     def maximize(self, metric: str) -> DesignProblem: ...
+    @overload
+    def maximize(
+        self, metric: _OwnMetric, *, name: str | None = None, gradient: _OwnGradient | None = None, unit: str = "1"
+    ) -> DesignProblem: ...
+    @overload
     def minimize(self, metric: str) -> DesignProblem: ...
+    @overload
+    def minimize(
+        self, metric: _OwnMetric, *, name: str | None = None, gradient: _OwnGradient | None = None, unit: str = "1"
+    ) -> DesignProblem: ...
+    @overload
     def limit(self, text: str) -> DesignProblem: ...
+    @overload
+    def limit(
+        self,
+        text: str,
+        function: _OwnMetric,
+        lower: float = ...,
+        upper: float = ...,
+        *,
+        gradient: _OwnGradient | None = None,
+        unit: str = "1",
+    ) -> DesignProblem: ...
     def solve(
         self,
         *,
@@ -1240,9 +1265,9 @@ class DesignProblem:
         progress: _Progress | None = None,
     ) -> Optimum: ...
 
-def parameter_table() -> list[dict[str, Any]]: ...
-def metric_table() -> list[dict[str, Any]]: ...
-def solver_table() -> list[dict[str, Any]]: ...
+def parameter_table() -> list[ParameterRow]: ...
+def metric_table() -> list[MetricRow]: ...
+def solver_table() -> list[SolverRow]: ...
 def quantity(text: str, unit: str) -> float: ...
 def engineering(value: float, unit: str) -> str: ...
 def evaluate(

@@ -104,6 +104,16 @@ class Fields:
         return both
 
 
+class MotionEvent(TypedDict):
+    """Something that happens in a motion, SI units."""
+
+    event: str  # such as 'started' or 'held'
+    time: float
+    speed: float
+    angle: float
+    amplitude: float
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """A motion in time: arrays over the times, SI units, and what happened.
@@ -113,7 +123,7 @@ class Motion:
 
     motor: _twum.Motor
     columns: dict[str, Floats]  # time, speed, angle, amplitude, torque and others
-    events: list[dict[str, Any]]  # event, time, speed, angle, amplitude, in the order of time
+    events: list[MotionEvent]  # in the order of time
     status: str  # 'ok', or why it ended early
     end: float  # time that was reached [s]
     html: str = ""  # what happened, for notebooks
@@ -179,6 +189,31 @@ class Derivatives:
     def to_frame(self) -> Any:
         """The value, its derivatives by name, smoothness and status as a DataFrame of pandas, a row for each design."""
         return _frame({"value": self.value, **self.gradient, "smoothness": self.smoothness, "status": self.status})
+
+
+class ParameterRow(TypedDict):
+    """A row of parameter_table()."""
+
+    name: str
+    symbol: str  # '': it has none
+    unit: str
+    min: float
+    max: float
+    example: str
+    text: str
+
+
+class MetricRow(TypedDict):
+    """A row of metric_table()."""
+
+    name: str
+    unit: str
+    takes: str  # '': nothing
+    text: str
+
+
+# A row of solver_table(); one name is a keyword.
+SolverRow = TypedDict("SolverRow", {"name": str, "text": str, "gradient": bool, "global": bool, "available": bool})
 
 
 class Limit(TypedDict):

@@ -11,4 +11,6 @@ const char* version() noexcept {
   return TWUM_TEXT(TWUM_VERSION_MAJOR, TWUM_VERSION_MINOR, TWUM_VERSION_PATCH);
 }
 
+const char base::TWUM_NAME_WITH_VERSION(TWUM_VERSION_MAJOR, TWUM_VERSION_MINOR) = 1;
+
 }  // namespace twum

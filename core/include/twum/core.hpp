@@ -42,5 +42,6 @@
 #include <twum/core/plate.hpp>
 #include <twum/core/steady_heat.hpp>
 #include <twum/core/track_wear.hpp>
+#include <twum/core/workspace.hpp>
 #include <twum/core/worn_in.hpp>
 #include <twum/core/zone.hpp>

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace twum::contact {
 namespace {
@@ -20,7 +19,7 @@ constexpr int kMostTurnsToMove = 30;
 constexpr double kSame = 1e-16;  // of P
 
 // Zone by zone.
-using Trace = std::vector<ZoneTrace>;
+using Trace = core::Vector<ZoneTrace>;
 
 // Sign of the traction that has released a layer. An elastic layer may stick again at once, at what is left of it.
 double side_of(const ZoneTrace& after) {

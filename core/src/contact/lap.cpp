@@ -8,7 +8,7 @@ namespace twum::contact {
 template <>
 Lap<double> run_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                     const LapEntry<double>& entry, const ZoneSequence* sequence,
-                    std::vector<ZoneTrace>* trace, Means means) {
+                    core::Vector<ZoneTrace>* trace, Means means) {
   Lap<double> lap;
   LapRunner<double>(numbers, layer, sequence, trace, means, lap).run(entry);
   return lap;

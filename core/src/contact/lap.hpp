@@ -4,12 +4,12 @@
 #include "contact/contact_numbers.hpp"
 #include "contact/layer_motion.hpp"
 #include "contact/scalars.hpp"
+#include "design/workspace.hpp"
 
 #include <twum/core/zone.hpp>
 
 #include <cstdint>
 #include <numbers>
-#include <vector>
 
 namespace twum::contact {
 
@@ -102,11 +102,11 @@ enum class Means : unsigned char {
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
-               std::vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
+               core::Vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
 template <>
 Lap<double> run_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                     const LapEntry<double>& entry, const ZoneSequence* sequence,
-                    std::vector<ZoneTrace>* trace, Means means);
+                    core::Vector<ZoneTrace>* trace, Means means);
 
 /// Phase and layer after the first `zones` zones of a lap; at its end if it has fewer.
 template <typename S>

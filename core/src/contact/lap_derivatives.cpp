@@ -7,7 +7,7 @@ namespace twum::contact {
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence,
-               std::vector<ZoneTrace>* trace, Means means) {
+               core::Vector<ZoneTrace>* trace, Means means) {
   Lap<S> lap;
   LapRunner<S>(numbers, layer, sequence, trace, means, lap).run(entry);
   return lap;
@@ -24,7 +24,7 @@ LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const Layer
 
 #define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
-                          const ZoneSequence*, std::vector<ZoneTrace>*, Means);
+                          const ZoneSequence*, core::Vector<ZoneTrace>*, Means);
 TWUM_FOR_EACH_CONTACT_DUAL(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE

@@ -21,7 +21,7 @@ template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
 class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Means means, Lap<S>& lap)
+            const ZoneSequence* sequence, core::Vector<ZoneTrace>* trace, Means means, Lap<S>& lap)
       : lap_(lap),
         n_(numbers),
         layer_(layer),
@@ -204,7 +204,7 @@ class LapRunner {
   const LayerMotion<S>& layer_;
   ZoneStart<S> start_;
   ZoneEnds<S, kEnds> ends_;
-  std::vector<ZoneTrace>* trace_;
+  core::Vector<ZoneTrace>* trace_;
   Means means_;
   LapPlace<S> here_;
   ZoneBegin zone_{};

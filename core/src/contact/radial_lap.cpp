@@ -27,7 +27,7 @@ PlaneState<double> values_of(const PlaneState<S>& x) {
 template <typename S>
 class RadialRunner {
  public:
-  RadialRunner(const ContactNumbers<S>& numbers, std::vector<RadialPiece>* trace, Lap<S>& lap)
+  RadialRunner(const ContactNumbers<S>& numbers, core::Vector<RadialPiece>* trace, Lap<S>& lap)
       : n_(numbers), values_(twum::contact::values_of(numbers)), trace_(trace), lap_(lap) {}
 
   void run(const LapEntry<S>& entry) {
@@ -334,7 +334,7 @@ class RadialRunner {
 
   const ContactNumbers<S>& n_;
   ContactNumbers<double> values_;
-  std::vector<RadialPiece>* trace_;
+  core::Vector<RadialPiece>* trace_;
   Lap<S>& lap_;
   S theta_;
   Trig<S> at_;
@@ -348,7 +348,7 @@ class RadialRunner {
 
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
-                      std::vector<RadialPiece>* trace) {
+                      core::Vector<RadialPiece>* trace) {
   Lap<S> lap;
   RadialRunner<S>(numbers, trace, lap).run(entry);
   return lap;
@@ -356,7 +356,7 @@ Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry
 
 #define TWUM_INSTANTIATE(S)                                                    \
   template Lap<S> run_radial_lap(const ContactNumbers<S>&, const LapEntry<S>&, \
-                                 std::vector<RadialPiece>*);
+                                 core::Vector<RadialPiece>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(PlaneDual)
 TWUM_INSTANTIATE(WithPlaneState<MotionDual>::Type)

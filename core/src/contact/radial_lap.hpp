@@ -4,8 +4,6 @@
 #include "contact/lap.hpp"
 #include "contact/plane_stick.hpp"
 
-#include <vector>
-
 namespace twum::contact {
 
 /// A stick zone or a step through a slip zone, for drawing its fields.
@@ -31,6 +29,6 @@ RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& n
 /// @param trace  if not null, the pieces are appended to it
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
-                      std::vector<RadialPiece>* trace = nullptr);
+                      core::Vector<RadialPiece>* trace = nullptr);
 
 }  // namespace twum::contact

@@ -102,13 +102,13 @@ Crossing CurveCrossings::no_load() {
   if (points_.curve().begin() > 0) scan_.require_drive();
   if (!scan_.drives()) return *(no_load_ = Crossing{0, false});
   if (const auto zero = zero_of_falling()) return *(no_load_ = Crossing{*zero, false});
-  const std::vector<CurvePoint>& nodes = scan_.nodes();
+  const Vector<CurvePoint>& nodes = scan_.nodes();
   return *(no_load_ = falls_through(0, nodes.end()[-2], nodes.back()));
 }
 
-std::vector<CurvePoint> CurveCrossings::working_nodes() {
-  const std::vector<CurvePoint>& all = scan_.nodes();
-  std::vector<CurvePoint> nodes(all.begin(), all.end() - 1);
+Vector<CurvePoint> CurveCrossings::working_nodes() {
+  const Vector<CurvePoint>& all = scan_.nodes();
+  Vector<CurvePoint> nodes(all.begin(), all.end() - 1);
   const double end = no_load().speed;
   if (!(end > nodes.back().speed)) return nodes;
   const bool may_jump = points_.curve().may_jump();
@@ -122,7 +122,7 @@ double CurveCrossings::plateau_end() {
   if (plateau_end_) return *plateau_end_;
   const Curve& curve = points_.curve();
   if (!scan_.drives() || !scan_.starts_on_plateau()) return *(plateau_end_ = 0.0);
-  const std::vector<CurvePoint>& nodes = scan_.nodes();
+  const Vector<CurvePoint>& nodes = scan_.nodes();
   const auto beyond =
       std::find_if(nodes.begin(), nodes.end(), [](const CurvePoint& n) { return !n.plateau; });
   const double low = beyond[-1].speed, high = beyond->speed;

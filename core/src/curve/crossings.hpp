@@ -4,7 +4,6 @@
 #include "curve/scan.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -24,7 +23,7 @@ class CurveCrossings {
   double plateau_end();  ///< (T7.17)
 
   /// Points of the scan up to no-load, the last one there.
-  std::vector<CurvePoint> working_nodes();
+  Vector<CurvePoint> working_nodes();
   /// Where the torque falls through a value between two points, of which the slower one carries it.
   Crossing falls_through(double torque, const CurvePoint& low, const CurvePoint& high);
   /// True if the curve has a plateau that ends at this speed.

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace twum::core {
 
@@ -48,7 +47,7 @@ struct CurveSlope {
 
 /// A torque-speed curve that can be searched: says what the motor does at a speed. The wave may be the same at every
 /// speed (PrescribedCurve) or follow from the speed, as that of a motor under a voltage does.
-class Curve {
+class Curve : public InWorkspace {
  public:
   virtual ~Curve() = default;
   Curve(const Curve&) = delete;
@@ -65,7 +64,7 @@ class Curve {
   virtual SliceAnswer slice(double /*speed*/, std::size_t /*index*/) const { return {}; }
 
   /// Points of a curve that had to be followed to know it, by rising speed, as exact as CurveScan wants them.
-  virtual std::vector<CurvePoint> known_points() const { return {}; }
+  virtual Vector<CurvePoint> known_points() const { return {}; }
 
   /// Slopes along the curve, the wave moving with the speed.
   /// @throws SearchFailure if the point has no answer

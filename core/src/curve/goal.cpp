@@ -11,7 +11,7 @@ constexpr double kBend = 1e-4;  // of value per crest speed: more than a slope c
 
 }  // namespace
 
-std::size_t GoalCurve::highest(const std::vector<CurvePoint>& nodes) const {
+std::size_t GoalCurve::highest(const Vector<CurvePoint>& nodes) const {
   std::size_t top = 0;
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     if (value(nodes[k]) > value(nodes[top])) top = k;

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -49,7 +48,7 @@ class GoalCurve {
   }
 
   /// Position of the highest point, the slowest one of several.
-  std::size_t highest(const std::vector<CurvePoint>& nodes) const;
+  std::size_t highest(const Vector<CurvePoint>& nodes) const;
   /// A maximum in an interval where the slope goes from + to -; nothing if it does not.
   std::optional<Peak> peak_between(double low, double high) const;
   /// A point that is itself the highest, of this kind unless the curve begins there.

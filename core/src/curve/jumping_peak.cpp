@@ -6,7 +6,7 @@
 namespace twum::core {
 
 Peak JumpingPeakSearch::find() {
-  const std::vector<CurvePoint> nodes = crossings_.working_nodes();
+  const Vector<CurvePoint> nodes = crossings_.working_nodes();
   Peak best = goal_.peak_at(nodes[goal_.highest(nodes)], PeakKind::kink);
   const auto consider = [&best](const Peak& peak) {
     if (peak.value > best.value) best = peak;
@@ -43,7 +43,7 @@ bool JumpingPeakSearch::is_gap(const Stretch& stretch) const {
 
 // Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has
 // an end without slope: the ends are a little inside.
-std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double worth) {
+Vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double worth) {
   if (!may_have_peaks(stretch)) return {};
   const bool low_all_through =
       stretch.inside.empty() &&
@@ -51,10 +51,10 @@ std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double
   if (low_all_through) return {};
   const double low = stretch.first.speed, high = stretch.last.speed;
   const double inset = CurveStretches::kInset * (high - low);
-  std::vector<double> places{low + inset};
+  Vector<double> places{low + inset};
   places.insert(places.end(), stretch.inside.begin(), stretch.inside.end());
   places.push_back(high - inset);
-  std::vector<Peak> peaks;
+  Vector<Peak> peaks;
   for (std::size_t k = 1; k < places.size(); ++k) {
     const bool worthy = stretch.inside.empty() ||
                         std::max(goal_.at(places[k - 1]).value, goal_.at(places[k]).value) >= worth;

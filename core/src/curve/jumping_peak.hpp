@@ -6,7 +6,6 @@
 #include "curve/stretches.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -23,7 +22,7 @@ class JumpingPeakSearch {
  private:
   bool is_gap(const Stretch& stretch) const;
   bool may_have_peaks(const Stretch& stretch) const;
-  std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
+  Vector<Peak> peaks_inside(const Stretch& stretch, double worth);
   std::optional<Peak> peak_between(double low, double high);
   Peak with_plateau_named(Peak peak);
 

@@ -3,9 +3,7 @@
 
 #include "curve/curve.hpp"
 
-#include <map>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -27,8 +25,8 @@ class CurvePoints {
 
  private:
   const Curve& curve_;
-  std::vector<CurveSlope> slopes_;
-  std::map<double, CurvePoint> kept_;  // by speed
+  Vector<CurveSlope> slopes_;
+  Map<double, CurvePoint> kept_;  // by speed
 };
 
 /// A walk along the curve: each point begins with what the two before it say.

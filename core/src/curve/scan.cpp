@@ -56,7 +56,7 @@ const CurvePoint& CurveScan::first() {
 // Among the points of a curve that was followed, which are as close as it bends, and between the two beside the one of most
 // torque.
 CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
-  std::vector<CurvePoint> known{begin};
+  Vector<CurvePoint> known{begin};
   for (const CurvePoint& p : points_.curve().known_points())
     if (p.speed > begin.speed) known.push_back(p);
   const double crest = points_.curve().crest();
@@ -91,7 +91,7 @@ void CurveScan::require_drive() {
   if (!drives()) throw SearchFailure{MetricStatus::undefined};
 }
 
-const std::vector<CurvePoint>& CurveScan::nodes() {
+const Vector<CurvePoint>& CurveScan::nodes() {
   if (failure_) throw SearchFailure{*failure_};
   if (done_) return nodes_;
   require_drive();
@@ -127,7 +127,7 @@ bool CurveScan::falls_smoothly() const {
 
 bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
 
-const std::vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const CurvePoint& high) {
+const Vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const CurvePoint& high) {
   const auto [place, fresh] = rippled_.try_emplace(low.speed);
   if (!fresh) return place->second;
   const Curve& curve = points_.curve();
@@ -173,7 +173,7 @@ void CurveScan::skip_plateau() {
 void CurveScan::run() {
   const Curve& curve = points_.curve();
   int missing = 0;
-  const std::vector<CurvePoint> followed = curve.known_points();
+  const Vector<CurvePoint> followed = curve.known_points();
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
       if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);

@@ -3,9 +3,7 @@
 
 #include "curve/points.hpp"
 
-#include <map>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -32,10 +30,10 @@ class CurveScan {
   /// From the first to the first whose torque is not positive. Those without an answer, as layers without damping or with
   /// mu_0 > mu may have, are left out as long as they do not follow one another.
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
-  const std::vector<CurvePoint>& nodes();
+  const Vector<CurvePoint>& nodes();
 
   /// Speeds among the nodes, once these are found, without a periodic state.
-  const std::vector<double>& gaps() const { return gaps_; }
+  const Vector<double>& gaps() const { return gaps_; }
 
   /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan.
   bool falls_smoothly() const;
@@ -49,7 +47,7 @@ class CurveScan {
   bool ripples() const;
   /// Points between a node and the next that tell ripples, as good as the nodes: only good enough to say where to look. Those
   /// without an answer are left out.
-  const std::vector<CurvePoint>& rippled(const CurvePoint& low, const CurvePoint& high);
+  const Vector<CurvePoint>& rippled(const CurvePoint& low, const CurvePoint& high);
 
  private:
   double step() const;
@@ -61,11 +59,11 @@ class CurveScan {
   void skip_plateau();
 
   CurvePoints& points_;
-  std::vector<CurvePoint> nodes_;
-  std::vector<double> gaps_;
-  std::map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
+  Vector<CurvePoint> nodes_;
+  Vector<double> gaps_;
+  Map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
   Walk walk_;
-  std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below
+  Map<double, Vector<CurvePoint>> rippled_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;
   bool done_{false};
 };

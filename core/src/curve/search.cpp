@@ -14,7 +14,7 @@ constexpr double kTypedTorque =
     1e-12;  // rounding of a torque typed, such as the stall torque itself
 
 // Position after the last node that carries a torque; 0 if none does.
-std::size_t after_last(const std::vector<CurvePoint>& nodes, double torque) {
+std::size_t after_last(const Vector<CurvePoint>& nodes, double torque) {
   std::size_t k = nodes.size() - 1;
   while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
   return k;
@@ -87,7 +87,7 @@ Crossing CurveSearch::speed_at(double torque) {
 
 // Where the torque falls through a value below its maximum for the last time.
 Crossing CurveSearch::falls_through(double torque, const Peak& top) {
-  const std::vector<CurvePoint> nodes = nodes_around(torque);
+  const Vector<CurvePoint> nodes = nodes_around(torque);
   std::size_t k = after_last(nodes, torque);
   if (k > 0 && nodes[k - 1].speed >= top.speed)
     return crossings_.falls_through(torque, nodes[k - 1], nodes[k]);
@@ -101,11 +101,11 @@ Crossing CurveSearch::falls_through(double torque, const Peak& top) {
 
 // Points up to no-load between which one may look for a torque. Where it may jump up between two nodes that carry less, the
 // ends of stretches are among them beyond the last node that carries it.
-std::vector<CurvePoint> CurveSearch::nodes_around(double torque) {
-  const std::vector<CurvePoint> nodes = crossings_.working_nodes();
+Vector<CurvePoint> CurveSearch::nodes_around(double torque) {
+  const Vector<CurvePoint> nodes = crossings_.working_nodes();
   if (!points_.curve().may_jump()) return nodes;
   const std::size_t from = std::max<std::size_t>(after_last(nodes, torque), 1) - 1;
-  std::vector<CurvePoint> all(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(from) + 1);
+  Vector<CurvePoint> all(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(from) + 1);
   for (std::size_t k = from + 1; k < nodes.size(); ++k) {
     if (std::max(nodes[k - 1].torque, nodes[k].torque) < CurveStretches::kWorth * torque) {
       all.push_back(nodes[k]);

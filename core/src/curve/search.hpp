@@ -7,7 +7,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -36,7 +35,7 @@ class CurveSearch {
   Peak peak(Goal goal);  // the highest seen, unless speeds without a state may hide a higher one
   Peak efficiency_peak(Goal goal);
   Peak found_peak(Goal goal);
-  std::vector<CurvePoint> nodes_around(double torque);
+  Vector<CurvePoint> nodes_around(double torque);
   Crossing falls_through(double torque, const Peak& top);
 
   CurvePoints points_;

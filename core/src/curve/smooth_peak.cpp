@@ -56,15 +56,15 @@ bool SmoothPeakSearch::is_beside_gap(double best) {
 }
 
 // More nodes where a ripple between two of them may be the highest.
-std::vector<CurvePoint> SmoothPeakSearch::with_ripples(std::vector<CurvePoint> nodes) {
+Vector<CurvePoint> SmoothPeakSearch::with_ripples(Vector<CurvePoint> nodes) {
   if (!scan_.ripples()) return nodes;
   const double worth = kRippled * goal_.value(nodes[goal_.highest(nodes)]);
-  std::vector<CurvePoint> all(nodes.begin(), nodes.begin() + 1);
+  Vector<CurvePoint> all(nodes.begin(), nodes.begin() + 1);
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     const CurvePoint &low = nodes[k - 1], &high = nodes[k];
     const bool worthy = !high.plateau && std::max(goal_.value(low), goal_.value(high)) >= worth;
     if (worthy) {
-      const std::vector<CurvePoint>& more = scan_.rippled(low, high);
+      const Vector<CurvePoint>& more = scan_.rippled(low, high);
       all.insert(all.end(), more.begin(), more.end());
     }
     all.push_back(high);

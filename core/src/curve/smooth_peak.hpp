@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -19,7 +18,7 @@ class SmoothPeakSearch {
   Peak find();
 
  private:
-  std::vector<CurvePoint> with_ripples(std::vector<CurvePoint> nodes);
+  Vector<CurvePoint> with_ripples(Vector<CurvePoint> nodes);
   bool is_beside_gap(double best);
   double value(std::size_t k) const { return goal_.value(nodes_[k]); }
   Peak peak_beside(std::size_t top);
@@ -34,7 +33,7 @@ class SmoothPeakSearch {
   CurvePoints& points_;
   CurveScan& scan_;
   CurveCrossings& crossings_;
-  std::vector<CurvePoint> nodes_;  // up to no-load
+  Vector<CurvePoint> nodes_;  // up to no-load
 };
 
 }  // namespace twum::core

@@ -5,7 +5,7 @@
 
 namespace twum::core {
 
-Bracket close_in(const std::function<double(double)>& f, const Bracket& ends) {
+Bracket close_in(FunctionRef<double(double)> f, const Bracket& ends) {
   try {
     return closed_in("a speed on the torque-speed curve", f, ends);
   } catch (const EvaluationError&) {

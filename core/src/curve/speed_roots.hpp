@@ -16,7 +16,7 @@ namespace twum::core {
 
 /// closed_in() for a search along the curve.
 /// @throws SearchFailure (unresolved) if the ends do not differ in sign
-Bracket close_in(const std::function<double(double)>& f, const Bracket& ends);
+Bracket close_in(FunctionRef<double(double)> f, const Bracket& ends);
 
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
 class Interpolant {

@@ -12,15 +12,15 @@ constexpr double kJump = 1e-6;  // of the holding torque: more than torque moves
 
 }  // namespace
 
-const std::vector<Stretch>& CurveStretches::between(const CurvePoint& low, const CurvePoint& end) {
+const Vector<Stretch>& CurveStretches::between(const CurvePoint& low, const CurvePoint& end) {
   const std::pair<double, double> speeds{low.speed, end.speed};
   const auto place = known_.find(speeds);
   return place != known_.end() ? place->second
                                : known_.emplace(speeds, found_between(low, end)).first->second;
 }
 
-std::vector<Stretch> CurveStretches::found_between(const CurvePoint& low, const CurvePoint& end) {
-  std::vector<Stretch> all;
+Vector<Stretch> CurveStretches::found_between(const CurvePoint& low, const CurvePoint& end) {
+  Vector<Stretch> all;
   CurvePoint before = low;
   Stretch stretch{low, low, {}};
   const auto cut = [&](const CurvePoint& left, const CurvePoint& right) {
@@ -46,13 +46,12 @@ std::vector<Stretch> CurveStretches::found_between(const CurvePoint& low, const 
 }
 
 // Points from beyond `low` to `high` such that between neighbours with the same zones the torque goes as its slopes say.
-std::vector<CurvePoint> CurveStretches::steady_between(const CurvePoint& low,
-                                                       const CurvePoint& high) {
+Vector<CurvePoint> CurveStretches::steady_between(const CurvePoint& low, const CurvePoint& high) {
   if (low.signature != high.signature || is_steady(low, high)) return {high};
   const CurvePoint& middle = halving_.at(0.5 * (low.speed + high.speed));
   if (!(low.speed < middle.speed && middle.speed < high.speed)) return {high};
-  std::vector<CurvePoint> points = steady_between(low, middle);
-  const std::vector<CurvePoint> beyond = steady_between(middle, high);
+  Vector<CurvePoint> points = steady_between(low, middle);
+  const Vector<CurvePoint> beyond = steady_between(middle, high);
   points.insert(points.end(), beyond.begin(), beyond.end());
   return points;
 }
@@ -78,14 +77,14 @@ std::pair<double, double> CurveStretches::change_of_slices(const CurvePoint& low
     std::size_t index;
     std::optional<std::uint64_t> signature;  // at the low end
   };
-  const auto changed_at = [this](double speed, const std::vector<Slice>& slices) {
-    std::vector<Slice> changed;
+  const auto changed_at = [this](double speed, const Vector<Slice>& slices) {
+    Vector<Slice> changed;
     for (const Slice& s : slices)
       if (halving_.slice_at(speed, s.index) != s.signature) changed.push_back(s);
     return changed;
   };
   double left = low.speed, right = end.speed;
-  std::vector<Slice> slices;
+  Vector<Slice> slices;
   if (low.ok() && !low.special && !end.special)
     for (std::size_t k = 0; k < points_.curve().own_slices(); ++k)
       slices.push_back({k, halving_.slice_at(left, k)});
@@ -93,7 +92,7 @@ std::pair<double, double> CurveStretches::change_of_slices(const CurvePoint& low
   while (!slices.empty() && !are_neighbours(left, right)) {
     const double middle = 0.5 * (left + right);
     if (middle <= left || middle >= right) break;
-    std::vector<Slice> changed = changed_at(middle, slices);
+    Vector<Slice> changed = changed_at(middle, slices);
     if (changed.empty()) {
       left = middle;
     } else {

@@ -3,9 +3,7 @@
 
 #include "curve/points.hpp"
 
-#include <map>
 #include <utility>
-#include <vector>
 
 namespace twum::core {
 
@@ -13,8 +11,7 @@ namespace twum::core {
 /// part without a periodic state.
 struct Stretch {
   CurvePoint first, last;
-  std::vector<double>
-      inside;  ///< speeds between, so close that torque is steady between neighbours
+  Vector<double> inside;  ///< speeds between, so close that torque is steady between neighbours
 };
 
 /// Where torque may jump, as with mu_0 > mu, searches take the curve apart into stretches over which it does not, once for all of
@@ -31,11 +28,11 @@ class CurveStretches {
 
   /// What lies between two points, cut where the sequence of zones changes and where the torque jumps.
   /// @throws SearchFailure if the search takes too long
-  const std::vector<Stretch>& between(const CurvePoint& low, const CurvePoint& end);
+  const Vector<Stretch>& between(const CurvePoint& low, const CurvePoint& end);
 
  private:
-  std::vector<Stretch> found_between(const CurvePoint& low, const CurvePoint& end);
-  std::vector<CurvePoint> steady_between(const CurvePoint& low, const CurvePoint& high);
+  Vector<Stretch> found_between(const CurvePoint& low, const CurvePoint& end);
+  Vector<CurvePoint> steady_between(const CurvePoint& low, const CurvePoint& high);
   bool is_steady(const CurvePoint& low, const CurvePoint& high);
   std::pair<double, double> change_of_slices(const CurvePoint& low, const CurvePoint& end);
   std::pair<CurvePoint, CurvePoint> stretch_end(const CurvePoint& low, const CurvePoint& end);
@@ -44,7 +41,7 @@ class CurveStretches {
 
   CurvePoints& points_;
   Halving halving_;
-  std::map<std::pair<double, double>, std::vector<Stretch>> known_;  // by the speeds of both points
+  Map<std::pair<double, double>, Vector<Stretch>> known_;  // by the speeds of both points
 };
 
 }  // namespace twum::core

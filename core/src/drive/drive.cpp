@@ -35,8 +35,8 @@ Drive::Drive(const MotorDesign& design, std::shared_ptr<const WavesAtRest> at_re
       at_rest_(std::move(at_rest)),
       branch_(waves(), at_rest_->line(), at_rest_->largest(), asked_ == Branch::dead) {}
 
-std::vector<WaveSolution> Drive::solutions(double speed) const {
-  std::vector<WaveSolution> found = ForceLine(waves(), speed).solutions();
+Vector<WaveSolution> Drive::solutions(double speed) const {
+  Vector<WaveSolution> found = ForceLine(waves(), speed).solutions();
   for (WaveSolution& s : found)
     if (const auto runs = branch_.runs(speed, s.wave().amplitude)) s.named_running = runs;
   return found;
@@ -51,7 +51,7 @@ double Drive::begin() const {
 DrivenMotor<double> Drive::first_motor() const {
   if (asked_ == Branch::running && branch_.exists())
     return waves().motor(branch_.first().amplitude);
-  const std::vector<WaveSolution> at_rest = solutions(0);
+  const Vector<WaveSolution> at_rest = solutions(0);
   if (at_rest.empty()) return waves().motor(branch_.exists() ? branch_.first().amplitude : 0);
   const WaveSolution& chosen = asked_ == Branch::dead ? at_rest.front() : at_rest.back();
   return waves().motor(chosen.wave().amplitude);

@@ -7,7 +7,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -23,14 +22,14 @@ class WavesAtRest {
   /// H over the amplitude.
   const ForceLine& line() const { return line_; }
   /// Extrema of H.
-  const std::vector<ForceExtremum>& extrema() const { return extrema_; }
+  const Vector<ForceExtremum>& extrema() const { return extrema_; }
   /// The largest wave under the design's voltage, null if there is none.
   const CurveNode* largest() const { return largest_ ? &*largest_ : nullptr; }
 
  private:
   DrivenWaves waves_;
   ForceLine line_;
-  std::vector<ForceExtremum> extrema_;
+  Vector<ForceExtremum> extrema_;
   std::optional<CurveNode> largest_;
 };
 
@@ -51,7 +50,7 @@ class Drive {
   /// The point on the branch that the design asks for; its status says why there is none.
   MotorPoint at(double speed) const;
   /// Every wave that the voltage holds at a speed, stable or not, the smallest first.
-  std::vector<WaveSolution> solutions(double speed) const;
+  Vector<WaveSolution> solutions(double speed) const;
 
   /// The curve is the running branch.
   bool runs() const { return asked_ == Branch::running; }

@@ -92,7 +92,7 @@ bool turns_as_slopes_tell(const CurveNode& a, const CurveNode& b, double doubt) 
 }
 
 // Of the step from the last sample of a list to the next one, which is the last of those ahead.
-bool in_doubt(const std::vector<CurveNode>& done, const std::vector<CurveNode>& ahead) {
+bool in_doubt(const Vector<CurveNode>& done, const Vector<CurveNode>& ahead) {
   const CurveNode &a = done.back(), &b = ahead.back();
   const EndBends here = end_bends(a, b);
   double doubt = 0;
@@ -138,7 +138,7 @@ void ForceLine::follow(double low, double high, Jumps jumps) {
 // With mu_0 = mu H is continuous, and so is its slope but at kinks.
 void ForceLine::follow_continuous(double low, double high) {
   const double steps = std::fmax(std::ceil((high - low) / kRules.voltage.longest), 1);
-  std::vector<CurveNode> samples;  // none where the contact has no answer
+  Vector<CurveNode> samples;  // none where the contact has no answer
   const auto is_done = [&] { return samples.size() > 1 && is_past_extrema(samples.back()); };
   for (double i = 0; i <= steps && !is_done(); ++i) {
     auto next = curve_.at_amplitude(low + i / steps * (high - low),
@@ -158,10 +158,10 @@ bool ForceLine::is_past_extrema(const CurveNode& n) const {
 
 // Halves the steps in which H may turn more often than the slopes at their ends tell. What is known of a step follows from the ones
 // beside it, so that the one before a halved step is looked at again.
-std::vector<CurveNode> ForceLine::halved_where_in_doubt(std::vector<CurveNode> samples) const {
-  std::vector<CurveNode> done,
+Vector<CurveNode> ForceLine::halved_where_in_doubt(Vector<CurveNode> samples) const {
+  Vector<CurveNode> done,
       ahead(std::make_move_iterator(samples.rbegin()), std::make_move_iterator(samples.rend()));
-  const auto move_last = [](std::vector<CurveNode>& from, std::vector<CurveNode>& to) {
+  const auto move_last = [](Vector<CurveNode>& from, Vector<CurveNode>& to) {
     to.push_back(std::move(from.back())), from.pop_back();
   };
   while (!ahead.empty()) {
@@ -231,7 +231,7 @@ void ForceLine::pass_gap(CurveNode next, double inside, Jumps jumps) {
     auto n = curve_.at_amplitude(x);
     n ? append(std::move(*n), jumps) : void(end = x);
   }
-  std::vector<CurveNode> beyond{std::move(next)};
+  Vector<CurveNode> beyond{std::move(next)};
   for (double end = inside; beyond.back().at.x - end > kRules.kink;) {
     const double x = 0.5 * (beyond.back().at.x + end);
     auto n = curve_.at_amplitude(x);
@@ -254,8 +254,8 @@ void ForceLine::extend_below(double force) {
   }
 }
 
-std::vector<ForceExtremum> ForceLine::extrema() const {
-  std::vector<ForceExtremum> found;
+Vector<ForceExtremum> ForceLine::extrema() const {
+  Vector<ForceExtremum> found;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const CurveNode& n = nodes_[i];
     const auto add = [&](bool maximum) {
@@ -286,8 +286,8 @@ std::optional<CurveNode> ForceLine::held_after(std::size_t i) const {
   return curve_.between(a, b, y);
 }
 
-std::vector<CurveNode> ForceLine::held() const {
-  std::vector<CurveNode> found;
+Vector<CurveNode> ForceLine::held() const {
+  Vector<CurveNode> found;
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
     if (auto wave = held_after(i)) found.push_back(std::move(*wave));
   return found;
@@ -299,9 +299,9 @@ std::optional<CurveNode> ForceLine::largest_held() const {
   return {};
 }
 
-std::vector<WaveSolution> ForceLine::solutions() const {
-  const std::vector<ForceExtremum> all = extrema();
-  std::vector<WaveSolution> found;
+Vector<WaveSolution> ForceLine::solutions() const {
+  const Vector<ForceExtremum> all = extrema();
+  Vector<WaveSolution> found;
   for (const CurveNode& n : held()) {
     const SlopedWave wave = waves_.in_amplitude(n.amplitude, speed_);
     const bool past = std::any_of(all.begin(), all.end(), [&](const ForceExtremum& e) {

@@ -3,8 +3,6 @@
 
 #include "drive/wave_curve.hpp"
 
-#include <vector>
-
 namespace twum::core {
 
 /// A wave that the drive holds at a speed: a root of H(A) = Theta u_0 (D2.4).
@@ -47,11 +45,11 @@ class ForceLine {
   ForceLine(const DrivenWaves& waves, double speed);
 
   /// The smallest amplitude first.
-  std::vector<ForceExtremum> extrema() const;
+  Vector<ForceExtremum> extrema() const;
   /// Waves under the drive's force, the smallest first.
-  std::vector<CurveNode> held() const;
+  Vector<CurveNode> held() const;
   std::optional<CurveNode> largest_held() const;
-  std::vector<WaveSolution> solutions() const;
+  Vector<WaveSolution> solutions() const;
   /// The smallest amplitude needs less than the drive's force.
   bool begins_below() const;
   /// No amplitude has a periodic state.
@@ -63,7 +61,7 @@ class ForceLine {
   void follow(double low, double high, Jumps jumps);
   void follow_continuous(double low, double high);
   bool is_past_extrema(const CurveNode& n) const;
-  std::vector<CurveNode> halved_where_in_doubt(std::vector<CurveNode> samples) const;
+  Vector<CurveNode> halved_where_in_doubt(Vector<CurveNode> samples) const;
   void append(CurveNode next, Jumps jumps);
   bool turns_to(const CurveNode& next);
   bool may_hold_between(const CurveNode& a, const CurveNode& b) const;
@@ -74,7 +72,7 @@ class ForceLine {
   const DrivenWaves& waves_;
   double speed_;
   WaveCurve curve_;
-  std::vector<CurveNode> nodes_;
+  Vector<CurveNode> nodes_;
 };
 
 /// Upper bound of the amplitude of a wave (D2.7).

@@ -54,7 +54,7 @@ double FrequencyPath::excess(const ResponseWave& on_backbone) const {
   return held_.waves().drive() - std::fabs(on_backbone.resistive_force);
 }
 
-std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
+Vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
   const DrivenWaves at_low = held_.waves().at_frequency(lowest_),
                     at_high = held_.waves().at_frequency(highest_);
   const double divider = std::fmax(at_low.divider(), at_high.divider());
@@ -68,7 +68,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
       1.01 * (drive + held_.waves().traction_bound()) / (lowest_ * held_.waves().modes().damping),
       kLargestWave);
   if (!(held_.waves().drive() > 0 && low < high)) return {};
-  std::vector<ResponseWave> scan;
+  Vector<ResponseWave> scan;
   std::optional<ResponseWave> last;
   const auto wave_near = [&](double a) {
     const auto wave =
@@ -83,7 +83,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
 }
 
 // Adds the amplitude between three others at which the drive has most force left, if it has any only there.
-void FrequencyPath::with_islands(std::vector<ResponseWave>& scan) const {
+void FrequencyPath::with_islands(Vector<ResponseWave>& scan) const {
   for (std::size_t i = 1; i + 1 < scan.size(); ++i) {
     const double here = excess(scan[i]);
     if (here > 0 || here < excess(scan[i - 1]) || here < excess(scan[i + 1])) continue;
@@ -102,9 +102,9 @@ void FrequencyPath::with_islands(std::vector<ResponseWave>& scan) const {
 }
 
 // The ranges of amplitudes that the drive holds.
-std::vector<FrequencyPath::Stretch> FrequencyPath::between_borders(
-    const std::vector<ResponseWave>& scan) const {
-  std::vector<Stretch> found;
+Vector<FrequencyPath::Stretch> FrequencyPath::between_borders(
+    const Vector<ResponseWave>& scan) const {
+  Vector<Stretch> found;
   if (scan.empty()) return found;
   double begin = scan.front().amplitude;
   bool closed = false;
@@ -135,7 +135,7 @@ void FrequencyPath::follow(std::size_t index) {
   const auto top = wave_at(stretch, 0, {held_.waves().omega(), 1});
   if (!top) return;
   resonances_.push_back(top->omega);
-  std::vector<std::optional<ResponseWave>> waves(2 * kNodesOfFlank + 1);
+  Vector<std::optional<ResponseWave>> waves(2 * kNodesOfFlank + 1);
   const auto node = [&](int i) -> std::optional<ResponseWave>& {
     return waves[static_cast<std::size_t>(i + kNodesOfFlank)];
   };
@@ -151,7 +151,7 @@ void FrequencyPath::follow(std::size_t index) {
       if (wave->omega < lowest_ || wave->omega > highest_) break;
     }
   }
-  std::vector<ResponseWave> run;
+  Vector<ResponseWave> run;
   const auto finish = [&] {
     if (run.size() > 1) cut(with_turns(stretch, run), index);
     run.clear();
@@ -211,9 +211,9 @@ ResponseWave FrequencyPath::last_stable(const Stretch& stretch, ResponseWave a,
 }
 
 // The nodes with the waves added at which the frequency turns back or stability is lost.
-std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
-    const Stretch& stretch, const std::vector<ResponseWave>& run) const {
-  std::vector<Node> nodes;
+Vector<FrequencyPath::Node> FrequencyPath::with_turns(const Stretch& stretch,
+                                                      const Vector<ResponseWave>& run) const {
+  Vector<Node> nodes;
   for (const ResponseWave& wave : run) nodes.push_back({wave, BranchEndKind::open});
   const auto in_order = [&nodes] {
     std::sort(nodes.begin(), nodes.end(),
@@ -223,7 +223,7 @@ std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
     if (const auto wave = turn(stretch, run[i - 1], run[i], run[i + 1]))
       nodes.push_back({*wave, BranchEndKind::fold});
   in_order();
-  const std::vector<Node> turned = nodes;
+  const Vector<Node> turned = nodes;
   for (std::size_t i = 0; i + 1 < turned.size(); ++i) {
     const Node &a = turned[i], &b = turned[i + 1];
     const bool beside_turn = a.kind == BranchEndKind::fold || b.kind == BranchEndKind::fold;
@@ -236,7 +236,7 @@ std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
 
 // Cuts the path into pieces at turns of the frequency and losses of stability. A wave on a border belongs to both
 // pieces.
-void FrequencyPath::cut(const std::vector<Node>& nodes, std::size_t stretch) {
+void FrequencyPath::cut(const Vector<Node>& nodes, std::size_t stretch) {
   const auto end_of = [&](std::size_t i) {
     const Node& n = nodes[i];
     if (n.kind != BranchEndKind::open) return n.kind;

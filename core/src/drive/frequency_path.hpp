@@ -4,13 +4,12 @@
 #include "drive/held_waves.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
 /// A piece of a path on which the frequency is monotonic and all waves are stable, or none.
 struct PathPiece {
-  std::vector<ResponseWave> waves;  ///< along the path, at least two
+  Vector<ResponseWave> waves;  ///< along the path, at least two
   bool stable;
   BranchEndKind first_end, last_end;
 
@@ -29,9 +28,9 @@ class FrequencyPath {
   /// @param highest  largest [rad/s]
   FrequencyPath(const DrivenWaves& waves, const RotorLoad& load, double lowest, double highest);
 
-  const std::vector<PathPiece>& pieces() const { return pieces_; }
+  const Vector<PathPiece>& pieces() const { return pieces_; }
   /// Largest amplitudes, where the flanks meet [rad/s].
-  const std::vector<double>& resonances() const { return resonances_; }
+  const Vector<double>& resonances() const { return resonances_; }
   /// The wave of a piece at a frequency that the piece covers; none where the contact has no answer there.
   std::optional<ResponseWave> at(const PathPiece& piece, double omega) const;
 
@@ -59,19 +58,19 @@ class FrequencyPath {
   ResponseWave last_stable(const Stretch& stretch, ResponseWave a, ResponseWave b) const;
 
   double excess(const ResponseWave& on_backbone) const;
-  std::vector<Stretch> stretches() const;
-  void with_islands(std::vector<ResponseWave>& scan) const;
-  std::vector<Stretch> between_borders(const std::vector<ResponseWave>& scan) const;
+  Vector<Stretch> stretches() const;
+  void with_islands(Vector<ResponseWave>& scan) const;
+  Vector<Stretch> between_borders(const Vector<ResponseWave>& scan) const;
   void follow(std::size_t stretch);
-  std::vector<Node> with_turns(const Stretch& stretch, const std::vector<ResponseWave>& run) const;
-  void cut(const std::vector<Node>& nodes, std::size_t stretch);
+  Vector<Node> with_turns(const Stretch& stretch, const Vector<ResponseWave>& run) const;
+  void cut(const Vector<Node>& nodes, std::size_t stretch);
 
   HeldWaves held_;
   double lowest_, highest_;
-  std::vector<Stretch> stretches_;
-  std::vector<std::size_t> stretch_of_;  // of each piece
-  std::vector<PathPiece> pieces_;
-  std::vector<double> resonances_;
+  Vector<Stretch> stretches_;
+  Vector<std::size_t> stretch_of_;  // of each piece
+  Vector<PathPiece> pieces_;
+  Vector<double> resonances_;
 };
 
 }  // namespace twum::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "design/held_traps.hpp"
+#include "design/workspace.hpp"
 #include "drive/drive.hpp"
 
 #include <atomic>
@@ -24,6 +25,7 @@ class Lazy {
   const T& get(Make make) const {
     if (const T* known = found_.load()) return *known;
     const HeldTraps traps;
+    [[maybe_unused]] const WorkIn heap = WorkIn::heap();
     std::unique_ptr<const T> mine = make();
     const T* first = nullptr;
     return found_.compare_exchange_strong(first, mine.get()) ? *mine.release() : *first;

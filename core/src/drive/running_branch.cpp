@@ -13,7 +13,7 @@ namespace twum::core {
 namespace {
 
 // The lowest minimum of H, which has to be passed to hold a running wave.
-std::optional<ForceExtremum> lowest_hold(const std::vector<ForceExtremum>& extrema) {
+std::optional<ForceExtremum> lowest_hold(const Vector<ForceExtremum>& extrema) {
   std::optional<ForceExtremum> least;
   for (const ForceExtremum& e : extrema)
     if (!e.maximum && (!least || e.force < least->force)) least = e;
@@ -71,7 +71,7 @@ const BranchPiece* RunningBranch::fastest_piece(bool running) const {
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
 // holds a wave there.
 void RunningBranch::search(const ForceLine& at_rest) {
-  std::vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest.extrema())};
+  Vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest.extrema())};
   const double full = waves_.full_contact_amplitude(),
                lowest = kRules.smallest_running *
                         (holds[0] ? std::fmin(full, holds[0]->amplitude) : full);
@@ -128,7 +128,7 @@ void RunningBranch::trace(const CurveNode& wave, double speed) {
 }
 
 // Cuts a curve at its folds. A closed one begins at a fold.
-void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running) {
+void RunningBranch::add_pieces(Vector<CurveNode> nodes, std::optional<bool> running) {
   const auto fold = [](const CurveNode& n) { return n.fold; };
   const auto turn = std::find_if(nodes.begin(), nodes.end(), fold);
   if (nodes.size() > 1 && nodes.front().at.x == nodes.back().at.x &&
@@ -145,8 +145,8 @@ void RunningBranch::add_pieces(std::vector<CurveNode> nodes, std::optional<bool>
     if (!nodes[i].fold && i + 1 < nodes.size()) continue;
     const CurveNode end = nodes[i];  // the next piece begins there
     const auto begin = std::make_move_iterator(nodes.begin());
-    std::vector<CurveNode> piece(begin + static_cast<std::ptrdiff_t>(first),
-                                 begin + static_cast<std::ptrdiff_t>(i) + 1);
+    Vector<CurveNode> piece(begin + static_cast<std::ptrdiff_t>(first),
+                            begin + static_cast<std::ptrdiff_t>(i) + 1);
     first = i, nodes[i] = end;
     const bool rises = std::any_of(piece.begin(), piece.end(),
                                    [](const CurveNode& n) { return !n.fold && n.rise > 0; });
@@ -191,7 +191,7 @@ bool RunningBranch::known(double speed, double amplitude) const {
 
 // A piece that begins at rest is what its wave is there. Elsewhere a wave runs if it lags by more than a quarter of a turn, or if
 // its fold is the minimum of H.
-bool RunningBranch::runs(const std::vector<CurveNode>& nodes) const {
+bool RunningBranch::runs(const Vector<CurveNode>& nodes) const {
   const CurveNode &first = nodes.front(), &last = nodes.back();
   if (first.parameter == 0) return runs_at_rest(first);
   if (first.fold && first.at.x < nodes[1].at.x) return true;
@@ -361,7 +361,7 @@ std::optional<MotorPoint> RunningBranch::continue_past_end(const CurveNode& last
                                                            double speed) const {
   const bool upward = speed > last.parameter;
   const WaveCurve on = curve(std::fmin(speed, 0), std::fmax(speed, 0), HUGE_VAL);
-  const std::vector<CurveNode> nodes = on.follow(last, upward);
+  const Vector<CurveNode> nodes = on.follow(last, upward);
   const double y = speed / unit_;
   if (nodes.back().at.y != y || nodes.back().fold) return {};
   const auto wave = on.solve_to_rounding(nodes.back());

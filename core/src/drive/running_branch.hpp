@@ -6,13 +6,12 @@
 #include <array>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace twum::core {
 
 /// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
 struct BranchPiece {
-  std::vector<CurveNode> nodes;  ///< by rising speed
+  Vector<CurveNode> nodes;  ///< by rising speed
   bool running;
   bool dead;     ///< that of a stator which the rotor clamps; a single wave at rest is both
   int curve{0};  ///< number of the curve that it is a part of
@@ -44,7 +43,7 @@ class RunningBranch {
 
   bool exists() const { return !nodes_.empty(); }
   /// Waves of the running branch, by rising speed.
-  const std::vector<const CurveNode*>& nodes() const { return nodes_; }
+  const Vector<const CurveNode*>& nodes() const { return nodes_; }
   /// Where it begins: at rest, or where it pulls out.
   const CurveNode& first() const { return *nodes_.front(); }
   /// Where the curve ends and the motor pulls out; null if it goes on to rest.
@@ -65,11 +64,11 @@ class RunningBranch {
   void trace_waves_of(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);
   void continue_past_jump(const CurveNode& from, bool upward, bool running);
-  void add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running);
+  void add_pieces(Vector<CurveNode> nodes, std::optional<bool> running);
   bool known(double speed, double amplitude) const;
   bool passes(const BranchPiece& piece, double speed, double amplitude) const;
   bool runs_at_rest(const CurveNode& wave) const;
-  bool runs(const std::vector<CurveNode>& nodes) const;
+  bool runs(const Vector<CurveNode>& nodes) const;
   void list_nodes();
 
   /// Two neighbouring nodes of a piece; null where there is none.
@@ -92,10 +91,10 @@ class RunningBranch {
 
   const DrivenWaves& waves_;
   double unit_{0}, fastest_{0};  // speed of y = 1, and up to which the curves are followed
-  std::vector<ForceExtremum> at_rest_;
-  std::vector<BranchPiece> pieces_;
+  Vector<ForceExtremum> at_rest_;
+  Vector<BranchPiece> pieces_;
   int curves_{0};
-  std::vector<const CurveNode*> nodes_;
+  Vector<const CurveNode*> nodes_;
 };
 
 }  // namespace twum::core

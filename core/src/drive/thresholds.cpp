@@ -26,7 +26,7 @@ std::size_t place_of(Metric metric) {
 }
 
 // The highest maximum or the lowest minimum.
-std::optional<ForceExtremum> outermost(const std::vector<ForceExtremum>& extrema, bool start) {
+std::optional<ForceExtremum> outermost(const Vector<ForceExtremum>& extrema, bool start) {
   std::optional<ForceExtremum> best;
   for (const ForceExtremum& e : extrema) {
     if (e.maximum != start) continue;
@@ -37,7 +37,7 @@ std::optional<ForceExtremum> outermost(const std::vector<ForceExtremum>& extrema
 
 // A start has to pass the maximum from which H falls most, a running wave ends at the minimum to which it does. H may have more of
 // them where it rises: ripples, and jumps by parts of a per cent far beyond the running wave.
-std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, bool start) {
+std::optional<ForceExtremum> chosen(const Vector<ForceExtremum>& extrema, bool start) {
   const ForceExtremum *from = nullptr, *to = nullptr, *highest = nullptr;
   for (const ForceExtremum& e : extrema) {
     if (e.maximum && (!highest || e.force > highest->force)) highest = &e;
@@ -49,7 +49,7 @@ std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, b
 }
 
 // Beyond all folds on the other side a stable wave goes on without end.
-bool is_past_folds(const std::vector<CurveNode>& nodes, bool upward) {
+bool is_past_folds(const Vector<CurveNode>& nodes, bool upward) {
   if (!(nodes.back().rise > 0) || (nodes.back().along.y > 0) == upward) return false;
   const auto beyond = [&](const CurveNode& n) {
     return !n.fold || (nodes.back().at.y > n.at.y) != upward;
@@ -60,7 +60,7 @@ bool is_past_folds(const std::vector<CurveNode>& nodes, bool upward) {
 }  // namespace
 
 Thresholds::Thresholds(const MotorDesign& design, const TrackRule& track,
-                       std::optional<std::vector<ForceExtremum>> extrema, const CurveNode* at_rest)
+                       std::optional<Vector<ForceExtremum>> extrema, const CurveNode* at_rest)
     : waves_(design, track),
       given_voltage_(design.stator.voltage.has_value()),
       frequency_(drive_frequency(design)),
@@ -82,7 +82,7 @@ DrivenWaves Thresholds::waves_at(double frequency) const {
   return waves_.at_frequency(kTurn * frequency);
 }
 
-const std::vector<ForceExtremum>& Thresholds::extrema() {
+const Vector<ForceExtremum>& Thresholds::extrema() {
   if (!extrema_) extrema_ = ForceLine(waves_, 0).extrema();
   return *extrema_;
 }
@@ -173,7 +173,7 @@ void Thresholds::follow_frequency() {
   if (!from) return;
   const bool dead = !extrema().empty() && at_rest_->amplitude < extrema().back().amplitude;
   for (const bool upward : {dead, !dead}) {
-    take_folds(curve.follow(*from, upward, [upward](const std::vector<CurveNode>& nodes) {
+    take_folds(curve.follow(*from, upward, [upward](const Vector<CurveNode>& nodes) {
       return is_past_folds(nodes, upward);
     }));
     if (start_ || pull_out_) return;
@@ -181,7 +181,7 @@ void Thresholds::follow_frequency() {
 }
 
 // Where folds are close, the start is the highest maximum and the running wave ends at the lowest minimum.
-void Thresholds::take_folds(const std::vector<CurveNode>& nodes) {
+void Thresholds::take_folds(const Vector<CurveNode>& nodes) {
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
     const CurveNode& fold = nodes[i];
     if (!fold.fold) continue;

@@ -6,7 +6,6 @@
 #include <twum/core/metric_value.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -28,7 +27,7 @@ class Thresholds {
   /// @param extrema  of H at rest, if they are known
   /// @param at_rest  the largest wave at rest under the design's voltage, null if there is none
   Thresholds(const MotorDesign& design, const TrackRule& track,
-             std::optional<std::vector<ForceExtremum>> extrema, const CurveNode* at_rest);
+             std::optional<Vector<ForceExtremum>> extrema, const CurveNode* at_rest);
 
   /// @param metric  start_voltage, hold_voltage, start_frequency or pull_out_frequency
   /// @throws SearchFailure `undefined` for a frequency if no voltage is given or no frequency starts or ends the
@@ -43,14 +42,14 @@ class Thresholds {
   Threshold frequency(bool start);
   std::optional<CurveNode> continued(const ForceExtremum& from) const;
   void follow_frequency();
-  void take_folds(const std::vector<CurveNode>& nodes);
+  void take_folds(const Vector<CurveNode>& nodes);
   std::optional<Threshold> jumping_frequency(bool start);
-  const std::vector<ForceExtremum>& extrema();
+  const Vector<ForceExtremum>& extrema();
 
   DrivenWaves waves_;  // at the design's own frequency
   bool given_voltage_;
-  double frequency_;                                   // of the design
-  std::optional<std::vector<ForceExtremum>> extrema_;  // at this frequency
+  double frequency_;                              // of the design
+  std::optional<Vector<ForceExtremum>> extrema_;  // at this frequency
   const CurveNode* at_rest_;
   std::optional<CurveNode> start_, pull_out_;  // folds over the frequency
   bool followed_{false};

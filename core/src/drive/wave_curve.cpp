@@ -111,7 +111,7 @@ double WaveCurve::longest(const CurveNode& from) const {
 }
 
 // The next wave of a curve, a step from its last one, or on the border if that is nearer.
-std::optional<CurveNode> WaveCurve::take_step(const std::vector<CurveNode>& curve, double length,
+std::optional<CurveNode> WaveCurve::take_step(const Vector<CurveNode>& curve, double length,
                                               double& off, bool& lands) const {
   const CurveNode& a = curve.back();
   const CurveNode* before = curve.size() > 1 ? &a - 1 : nullptr;
@@ -141,9 +141,8 @@ bool WaveCurve::goes_back(const CurveNode& from, const CurveNode& to) const {
   return dot(to.along, {to.at.x - from.at.x, to.at.y - from.at.y}) < 0;
 }
 
-std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
-                                         const Stop& stop) const {
-  std::vector<CurveNode> curve{from};
+Vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward, const Stop& stop) const {
+  Vector<CurveNode> curve{from};
   if (changes_sign(from.along.y, upward ? 1 : -1)) turn_back(curve.front());
   curve.front().place = 0;
   double length = std::fmin(longest(from), kRules.first_step);
@@ -197,7 +196,7 @@ std::optional<CurveNode> WaveCurve::halfway(const CurveNode& a, const CurveNode&
                    settled_on(apart), off, &a.solved);
 }
 
-void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) const {
+void WaveCurve::add(Vector<CurveNode>& curve, CurveNode next, int depth) const {
   const double apart = distance(curve.back().at, next.at);
   if (apart > kRules.shortest && depth < kRules.hidden_folds && may_turn(curve.back(), next)) {
     if (auto middle = halfway(curve.back(), next)) {
@@ -210,7 +209,7 @@ void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) co
   append(curve, std::move(next));
 }
 
-void WaveCurve::append(std::vector<CurveNode>& curve, CurveNode next) const {
+void WaveCurve::append(Vector<CurveNode>& curve, CurveNode next) const {
   next.place = curve.back().place + distance(curve.back().at, next.at);
   if (changes_sign(curve.back().rise, next.rise) && !curve.back().fold) {
     if (auto turn = fold(curve.back(), next)) {
@@ -223,7 +222,7 @@ void WaveCurve::append(std::vector<CurveNode>& curve, CurveNode next) const {
 }
 
 // A fold at or beyond one of the two nodes, whose slopes are off by what Newton's last step has moved them, takes its place.
-void WaveCurve::put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const {
+void WaveCurve::put_fold(Vector<CurveNode>& curve, CurveNode fold, CurveNode next) const {
   const double t = (fold.at.x - curve.back().at.x) / (next.at.x - curve.back().at.x);
   if (t <= 0 && curve.size() > 1) fold.jump = curve.back().jump, curve.pop_back();
   if (goes_back(curve.back(), fold)) turn_back(fold);
@@ -328,12 +327,12 @@ bool WaveCurve::enclose(const CurveNode& a, const CurveNode& b, double& low, dou
   return widened(a, low, -nearby) && widened(b, high, nearby);
 }
 
-std::vector<CurveNode> WaveCurve::through(const CurveNode& wave) const {
-  std::vector<CurveNode> ahead = follow(wave, true);
+Vector<CurveNode> WaveCurve::through(const CurveNode& wave) const {
+  Vector<CurveNode> ahead = follow(wave, true);
   const bool closed = ahead.size() > 2 && ahead.back().at.x == ahead.front().at.x &&
                       ahead.back().at.y == ahead.front().at.y;
   if (closed || wave.at.y <= range_.low.y) return ahead;
-  std::vector<CurveNode> curve = follow(wave, false);
+  Vector<CurveNode> curve = follow(wave, false);
   const double length = curve.back().place;
   std::reverse(curve.begin(), curve.end());
   for (CurveNode& n : curve) turn_back(n), n.place = length - n.place;

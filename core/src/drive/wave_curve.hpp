@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -27,17 +26,17 @@ class WaveCurve {
   /// The wave near a point at its y.
   std::optional<CurveNode> solve_at(PlanePoint near, const WarmStart* guess = nullptr) const;
   /// Says that a curve has been followed far enough.
-  using Stop = std::function<bool(const std::vector<CurveNode>&)>;
+  using Stop = std::function<bool(const Vector<CurveNode>&)>;
   /// From a wave on, towards larger or smaller y, to the border of the range, a jump of H, or back to the wave. Folds are nodes.
-  std::vector<CurveNode> follow(const CurveNode& from, bool upward, const Stop& stop = {}) const;
+  Vector<CurveNode> follow(const CurveNode& from, bool upward, const Stop& stop = {}) const;
   /// The whole curve through a wave.
-  std::vector<CurveNode> through(const CurveNode& wave) const;
+  Vector<CurveNode> through(const CurveNode& wave) const;
   /// The wave of an amplitude; continued in voltage, each has one. A guess is of use with mu_0 = mu only.
   std::optional<CurveNode> at_amplitude(double x, const WarmStart* guess = nullptr) const;
   /// Puts a node at the end of a curve, after the folds between it and the last one.
-  void add(std::vector<CurveNode>& curve, CurveNode next, int depth = 0) const;
+  void add(Vector<CurveNode>& curve, CurveNode next, int depth = 0) const;
   /// The same where it is known that no two folds hide.
-  void append(std::vector<CurveNode>& curve, CurveNode next) const;
+  void append(Vector<CurveNode>& curve, CurveNode next) const;
   std::optional<CurveNode> halfway(const CurveNode& a, const CurveNode& b) const;
   /// The wave between two nodes at a y, by Newton's method in a bracket.
   std::optional<CurveNode> between(const CurveNode& a, const CurveNode& b, double y) const;
@@ -59,13 +58,13 @@ class WaveCurve {
                                      double reach, double settled, double& first,
                                      const SolvedPoint* near) const;
   double settled_on(double length) const;
-  std::optional<CurveNode> take_step(const std::vector<CurveNode>& curve, double length,
-                                     double& off, bool& lands) const;
+  std::optional<CurveNode> take_step(const Vector<CurveNode>& curve, double length, double& off,
+                                     bool& lands) const;
   std::optional<CurveNode> fold(const CurveNode& a, const CurveNode& b) const;
   std::optional<CurveNode> on_curve(PlanePoint p, const WarmStart& start, double settled) const;
   bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high, double& rise_low,
                double& rise_high) const;
-  void put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
+  void put_fold(Vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
   bool may_turn(const CurveNode& a, const CurveNode& b) const;
   bool goes_back(const CurveNode& from, const CurveNode& to) const;
   double longest(const CurveNode& from) const;

@@ -6,8 +6,6 @@
 #include "metrics/metric_rows.hpp"
 #include "metrics/motor_curve.hpp"
 
-#include <deque>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -113,9 +111,9 @@ class Evaluator {
   CurveSearch search_;
   std::optional<Thresholds> thresholds_;
   // References stay valid.
-  std::deque<Known> points_;
-  std::map<double, std::size_t> places_;  // of a speed among them
-  std::deque<DrivenMotor<double>> motors_;
+  Deque<Known> points_;
+  Map<double, std::size_t> places_;  // of a speed among them
+  Deque<DrivenMotor<double>> motors_;
 };
 
 }  // namespace twum::core

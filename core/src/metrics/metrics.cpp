@@ -3,6 +3,7 @@
 #include <twum/core/motion_metrics.hpp>
 
 #include "design/held_traps.hpp"
+#include "design/workspace.hpp"
 #include "metrics/differentiator.hpp"
 #include "metrics/heat_metrics.hpp"
 #include "metrics/held_metrics.hpp"
@@ -10,10 +11,13 @@
 #include "metrics/wear_metrics.hpp"
 #include "point/slice_count.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace twum {
 
@@ -90,9 +94,6 @@ class Parts {
   template <typename... More>
   explicit Parts(const Motor& motor, More... more)
       : motor_(motor),
-        held_(motor.design()),
-        heat_(motor),
-        wear_(motor.design()),
         make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }),
         make_at_rest_([=](const Motor& m, std::optional<Answers>& to) {
           to.emplace(m, std::make_unique<const RestCurve>(*MotorParts::at_rest(m)), more...);
@@ -103,9 +104,9 @@ class Parts {
   Answer answer(const MetricRequest& request, Ask ask) {
     if (is_of_free_life(motor_.design(), request) && !make_motion_metrics) return ask(no_motions_);
     if (is_of_free_life(motor_.design(), request)) return ask(of_motions());
-    if (is_wear(request)) return ask(wear_);
-    if (is_heat(request)) return ask(heat_);
-    if (is_held(request)) return ask(held_);
+    if (is_wear(request)) return ask(made(wear_, motor_.design()));
+    if (is_heat(request)) return ask(made(heat_, motor_));
+    if (is_held(request)) return ask(made(held_, motor_.design()));
     if (is_of_motion(request) && make_motion_metrics) return ask(of_motions());
     if (motor_.design().stator.voltage && needs_no_wave(request.metric)) {
       if (!still_) still_.emplace(without_drive(motor_.design()));
@@ -121,15 +122,19 @@ class Parts {
   }
 
  private:
+  template <typename Part, typename Of>
+  static Part& made(std::optional<Part>& part, const Of& of) {
+    return part ? *part : part.emplace(of);
+  }
   MotionMetrics& of_motions() {
     if (!motion_) motion_ = make_motion_metrics(motor_.design());
     return *motion_;
   }
 
   const Motor& motor_;
-  HeldMetrics held_;
-  HeatMetrics heat_;
-  WearMetrics wear_;
+  std::optional<HeldMetrics> held_;
+  std::optional<HeatMetrics> heat_;
+  std::optional<WearMetrics> wear_;
   WithoutMotions no_motions_;
   std::unique_ptr<MotionMetrics> motion_;
   std::function<void(const Motor&, std::optional<Answers>&)> make_, make_at_rest_;
@@ -146,20 +151,41 @@ bool provide_motion_metrics(MakeMotionMetrics make) noexcept {
 
 bool has_motion_metrics() noexcept { return make_motion_metrics != nullptr; }
 
-std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+namespace {
+
+void evaluate_into(std::span<MetricValue> values, const Motor& motor,
+                   std::span<const MetricRequest> requests) {
   const HeldTraps traps;
   Parts<Evaluator, MetricValue> parts(motor);
-  std::vector<MetricValue> values;
-  values.reserve(requests.size());
-  for (const MetricRequest& request : requests)
-    values.push_back(parts.answer(request, [&](auto& to) { return to.evaluate(request); }));
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    values[i] = parts.answer(requests[i], [&](auto& to) { return to.evaluate(requests[i]); });
+}
+
+}  // namespace
+
+std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+  std::vector<MetricValue> values(requests.size());
+  evaluate_into(values, motor, requests);
   return values;
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
-  const HeldTraps traps;
-  return evaluate(motor, std::span(&request, 1)).front();
+  MetricValue value;
+  evaluate_into({&value, 1}, motor, {&request, 1});
+  return value;
 }
+
+#ifndef __wasm__
+void evaluate(const Motor& motor, std::span<const MetricRequest> requests,
+              std::span<MetricValue> values, Workspace& workspace) {
+  if (values.size() != requests.size())
+    throw InputError(std::to_string(requests.size()) +
+                     " metrics need as many places for values, not " +
+                     std::to_string(values.size()));
+  const WorkIn scope(workspace);
+  evaluate_into(values, motor, requests);
+}
+#endif
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
   const HeldTraps traps;

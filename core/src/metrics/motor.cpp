@@ -3,6 +3,7 @@
 #include <twum/core/motor.hpp>
 
 #include "design/held_traps.hpp"
+#include "design/workspace.hpp"
 #include "drive/lazy_drive.hpp"
 #include "point/fields.hpp"
 #include "point/operating_point.hpp"
@@ -16,11 +17,20 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace twum {
 namespace {
+
+// A motor that an evaluation makes lives in its workspace.
+template <typename T, typename... Arguments>
+std::shared_ptr<const T> shared(Arguments&&... arguments) {
+  return std::allocate_shared<const T>(core::FromWorkspace<T>(),
+                                       std::forward<Arguments>(arguments)...);
+}
 
 std::string speed_text(double speed) {
   char text[64];
@@ -36,13 +46,13 @@ Motor::Motor(const MotorDesign& asked) : design_(asked) {
   const MotorDesign& design = design_;
   require_motor(design);
   if (const auto modes = core::stator_modes(design))
-    modes_ = std::make_shared<const core::StatorModes<double>>(*modes);
+    modes_ = shared<core::StatorModes<double>>(*modes);
   if (design.stator.voltage) {
-    drive_ = std::make_shared<const core::LazyDrive>(design);
+    drive_ = shared<core::LazyDrive>(design);
     return;
   }
   const auto values = core::model_values(design);
-  model_ = std::make_shared<const core::DrivenMotor<double>>(
+  model_ = shared<core::DrivenMotor<double>>(
       driven(core::motor_model(values, core::track_rule(design)), core::design_wave(values)));
 }
 
@@ -111,6 +121,18 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   require_speed(m, at.speed);
   return core::operating_point_of(m, core::solve_point(m, at.speed), at.speed, modes_.get());
 }
+
+#ifndef __wasm__
+OperatingPoint Motor::operating_point(double speed, Workspace& workspace) const {
+  const core::WorkIn scope(workspace);
+  return operating_point(speed);
+}
+
+OperatingPoint Motor::operating_point(const OperatingConditions& at, Workspace& workspace) const {
+  const core::WorkIn scope(workspace);
+  return operating_point(at);
+}
+#endif
 
 namespace {
 

@@ -83,8 +83,8 @@ CurvePoint DrivenCurve::point(double speed, const WarmStart*, double) const {
   return curve_point(speed, at.motor, at.solved, &drive_.waves().modes());
 }
 
-std::vector<CurvePoint> DrivenCurve::known_points() const {
-  std::vector<CurvePoint> points;
+Vector<CurvePoint> DrivenCurve::known_points() const {
+  Vector<CurvePoint> points;
   if (may_jump() || !drive_.runs()) return points;
   const DrivenWaves& waves = drive_.waves();
   for (const CurveNode* node : drive_.branch().nodes())

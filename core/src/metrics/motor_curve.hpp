@@ -37,7 +37,7 @@ class DrivenCurve final : public Curve {
       : Curve(motor, Waves::each_its_own, drive.begin()), drive_(drive) {}
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
-  std::vector<CurvePoint> known_points() const override;
+  Vector<CurvePoint> known_points() const override;
   CurveSlope slope(double speed, const WarmStart* guess) const override;
 
  private:

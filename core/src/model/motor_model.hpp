@@ -4,6 +4,7 @@
 #include "contact/contact_numbers.hpp"
 #include "contact/jump.hpp"
 #include "design/radial_shape.hpp"
+#include "design/workspace.hpp"
 #include "model/scalars.hpp"
 #include "model/worn_track.hpp"
 
@@ -19,7 +20,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace twum::core {
 
@@ -62,7 +62,7 @@ struct Split : SplitPlace<double> {
 };
 
 /// The splits where they are, as if none moved.
-inline std::vector<SplitPlace<double>> fixed_places(std::span<const Split> splits) {
+inline Vector<SplitPlace<double>> fixed_places(std::span<const Split> splits) {
   return {splits.begin(), splits.end()};
 }
 
@@ -163,10 +163,10 @@ struct DrivenMotor : MotorModel<S> {
   Slice<S> mean;  ///< the contact at the mean radius
   S omega;
   S lever;  ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
-  S holding_lever;                ///< the same without a wave
-  S indentation;                  ///< of the layer by the crest at the mean radius (W2.1) [m]
-  std::vector<Piece<S>> pieces;   ///< of the track, that touch
-  std::vector<Slice<S>> annulus;  ///< nodes of the pieces; empty: all at the mean radius
+  S holding_lever;           ///< the same without a wave
+  S indentation;             ///< of the layer by the crest at the mean radius (W2.1) [m]
+  Vector<Piece<S>> pieces;   ///< of the track, that touch
+  Vector<Slice<S>> annulus;  ///< nodes of the pieces; empty: all at the mean radius
 
   /// What the motor's numbers are sums over.
   std::span<const Slice<S>> slices() const {
@@ -302,8 +302,7 @@ S radial_ratio(const MotorModel<S>& model, const S& radius);
 
 /// The slices that touch where the pieces are split (W4.1, W4.3), in rising order of radius.
 template <typename S>
-std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor,
-                                 std::span<const SplitPlace<S>> splits);
+Vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor, std::span<const SplitPlace<S>> splits);
 
 /// Mean radius of the preload on some slices.
 template <typename S>

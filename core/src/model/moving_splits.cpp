@@ -37,9 +37,9 @@ S margin_at(const DrivenMotor<S>& m, const S& speed, const SplitPlace<S>& split,
 }  // namespace
 
 template <typename S>
-std::vector<SplitPlace<S>> moving_splits(const DrivenMotor<S>& m, const S& speed,
-                                         std::span<const Split> splits) {
-  std::vector<SplitPlace<S>> places;
+Vector<SplitPlace<S>> moving_splits(const DrivenMotor<S>& m, const S& speed,
+                                    std::span<const Split> splits) {
+  Vector<SplitPlace<S>> places;
   std::optional<DrivenMotor<MotionDual>> still;
   for (const Split& split : splits) {
     SplitPlace<S> at{split.piece, S(split.place), split.gap};
@@ -59,13 +59,11 @@ std::vector<SplitPlace<S>> moving_splits(const DrivenMotor<S>& m, const S& speed
   return places;
 }
 
-template std::vector<SplitPlace<MotionDual>> moving_splits(const DrivenMotor<MotionDual>&,
-                                                           const MotionDual&,
-                                                           std::span<const Split>);
-template std::vector<SplitPlace<ModelDual>> moving_splits(const DrivenMotor<ModelDual>&,
-                                                          const ModelDual&, std::span<const Split>);
-template std::vector<SplitPlace<ModelDual2>> moving_splits(const DrivenMotor<ModelDual2>&,
-                                                           const ModelDual2&,
-                                                           std::span<const Split>);
+template Vector<SplitPlace<MotionDual>> moving_splits(const DrivenMotor<MotionDual>&,
+                                                      const MotionDual&, std::span<const Split>);
+template Vector<SplitPlace<ModelDual>> moving_splits(const DrivenMotor<ModelDual>&,
+                                                     const ModelDual&, std::span<const Split>);
+template Vector<SplitPlace<ModelDual2>> moving_splits(const DrivenMotor<ModelDual2>&,
+                                                      const ModelDual2&, std::span<const Split>);
 
 }  // namespace twum::core

@@ -79,7 +79,7 @@ Pressed<S> pressed_on_nodes(const DrivenMotor<S>& m) {
   struct Node {
     S radius, stiffness, rise;
   };
-  std::vector<Node> nodes;
+  Vector<Node> nodes;
   const Piece<S> track{S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b), false, false};
   for_each_node(track, m.track.nodes, [&](const S& radius, const S& width) {
     nodes.push_back({radius, 2 * pi * radius * width * m.youngs / thickness_at(m, radius),
@@ -238,10 +238,10 @@ namespace {
 // A piece cut at its splits. What follows from the zones is not smooth there: its powers have a root in the distance, as at
 // the ends of a contact.
 template <typename S>
-std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
-                                std::span<const SplitPlace<S>> splits) {
+Vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
+                           std::span<const SplitPlace<S>> splits) {
   const S length = piece.high - piece.low;
-  std::vector<Piece<S>> panels;
+  Vector<Piece<S>> panels;
   Piece<S> rest = piece;
   for (const SplitPlace<S>& split : splits) {
     if (split.piece != index) continue;
@@ -256,8 +256,8 @@ std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
 }  // namespace
 
 template <typename S>
-std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const SplitPlace<S>> splits) {
-  std::vector<Slice<S>> slices;
+Vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const SplitPlace<S>> splits) {
+  Vector<Slice<S>> slices;
   slices.reserve((m.pieces.size() + splits.size()) * static_cast<std::size_t>(m.track.nodes));
   S load(0.0), area(0.0);
   const auto add = [&](const S& radius, const S& width) {
@@ -297,8 +297,8 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
 }
 
 template <typename S>
-std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m) {
-  std::vector<Slice<S>> edges;
+Vector<Slice<S>> edges_of(const DrivenMotor<S>& m) {
+  Vector<Slice<S>> edges;
   if (m.annulus.empty()) return edges;
   for (const S& radius : {S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b)}) {
     Slice<S> edge = slice_at(m, radius, m.b);
@@ -313,7 +313,7 @@ S largest_pressure(const DrivenMotor<S>& m) {
   if (worn_track(m))
     return largest_of_nodes(m, [](const NormalContact<S>& c) { return c.max_pressure; });
   const DrivenMotor<double> values = values_of(m);
-  const std::vector<double> radii = radii_between_turns(values);
+  const Vector<double> radii = radii_between_turns(values);
   const double top = *std::max_element(radii.begin(), radii.end(), [&](double a, double b) {
     return crest_rise(values, a) < crest_rise(values, b);
   });
@@ -331,14 +331,13 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
   return mean_pressure(slice_at(m, radius_in(m, radius), m.b).contact) * track_area(m) / m.preload;
 }
 
-#define TWUM_INSTANTIATE(S, R)                                               \
-  template S radial_ratio(const MotorModel<S>&, const S&);                   \
-  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);     \
-  template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&,           \
-                                            std::span<const SplitPlace<S>>); \
-  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                      \
-  template std::vector<Slice<S>> edges_of(const DrivenMotor<S>&);            \
-  template S largest_pressure(const DrivenMotor<S>&);                        \
+#define TWUM_INSTANTIATE(S, R)                                                                 \
+  template S radial_ratio(const MotorModel<S>&, const S&);                                     \
+  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);                       \
+  template Vector<Slice<S>> annulus_of(const DrivenMotor<S>&, std::span<const SplitPlace<S>>); \
+  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                                        \
+  template Vector<Slice<S>> edges_of(const DrivenMotor<S>&);                                   \
+  template S largest_pressure(const DrivenMotor<S>&);                                          \
   template S pressure_nonuniformity(const DrivenMotor<S>&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(contact::MotionDual, contact::MotionDual)

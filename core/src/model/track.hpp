@@ -67,7 +67,7 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width);
 
 /// Those edges of an annulus that touch: no part of a sum, but the first slices to stick.
 template <typename S>
-std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m);
+Vector<Slice<S>> edges_of(const DrivenMotor<S>& m);
 
 /// Largest pressure p(0) over the track (W5.1) [Pa].
 template <typename S>

@@ -3,15 +3,13 @@
 
 #include <twum/base/scalar_search.hpp>
 
-#include <functional>
-
 namespace twum::core {
 namespace {
 
 constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times at most
 constexpr int kLooksPerRow = 4;    // of a table: its spline turns at most twice between two rows
 
-double zero_between(const std::function<double(double)>& f, double low, double high) {
+double zero_between(FunctionRef<double(double)> f, double low, double high) {
   return closed_in("a zero of the clearance over the track", f, {low, high, f(low), f(high)})
       .nearest();
 }
@@ -28,9 +26,11 @@ double clearance_zero(const DrivenMotor<double>& m, double indentation, double v
                       low, high);
 }
 
-std::vector<double> radii_between_turns(const DrivenMotor<double>& m) {
+Vector<double> radii_between_turns(const DrivenMotor<double>& m) {
   const double inner = m.r - 0.5 * m.b, outer = m.r + 0.5 * m.b;
-  std::vector<double> radii{inner};
+  Vector<double> radii;
+  radii.reserve(kLooksPerMode + 1);
+  radii.push_back(inner);
   if (m.track.table) {
     double before = inner;
     for (const double row : m.track.table->knots()) {
@@ -45,7 +45,7 @@ std::vector<double> radii_between_turns(const DrivenMotor<double>& m) {
   for (int i = 1; m.track.mode && i < kLooksPerMode; ++i)
     radii.push_back(inner + (outer - inner) * i / kLooksPerMode);
   radii.push_back(outer);
-  std::vector<double> turns;
+  Vector<double> turns;
   for (std::size_t k = 1; k < radii.size(); ++k) {
     for (const double versine : {kLiftOff, kFull}) {
       const auto slope = [&](double radius) { return clearance_slope(m, radius, versine); };

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace twum::core {
 
@@ -32,7 +31,7 @@ double clearance_zero(const DrivenMotor<double>& m, double indentation, double v
                       double high);
 
 /// Radii from edge to edge between which neither clearance turns: then each has one zero at most between two of them.
-std::vector<double> radii_between_turns(const DrivenMotor<double>& m);
+Vector<double> radii_between_turns(const DrivenMotor<double>& m);
 
 /// The zero of a clearance, with derivatives by the implicit function theorem.
 template <typename S, typename R>
@@ -147,12 +146,14 @@ class Track {
 
   /// The stretches that touch.
   template <typename R>
-  std::vector<Piece<R>> pieces(const R& indentation) const {
+  Vector<Piece<R>> pieces(const R& indentation) const {
     if (worn_track(m_)) return {whole<R>()};
     const double depth = value_of(indentation);
-    std::vector<R> ends{R(m_.r - 0.5 * m_.b)};
+    Vector<R> ends;
+    ends.reserve(2 * radii_.size());  // most pieces have one break or none
+    ends.push_back(R(m_.r - 0.5 * m_.b));
     for (std::size_t k = 1; k < radii_.size(); ++k) {
-      std::vector<R> breaks;
+      Vector<R> breaks;
       for (const double versine : {kLiftOff, kFull}) {
         const auto gap = [&](double radius) { return clearance(values_, radius, depth, versine); };
         if (gap(radii_[k - 1]) * gap(radii_[k]) < 0)
@@ -165,7 +166,8 @@ class Track {
       ends.insert(ends.end(), breaks.begin(), breaks.end());
     }
     ends.push_back(R(m_.r + 0.5 * m_.b));
-    std::vector<Piece<R>> touching;
+    Vector<Piece<R>> touching;
+    touching.reserve(ends.size() - 1);
     for (std::size_t k = 1; k < ends.size(); ++k) {
       const double middle = 0.5 * (value_of(ends[k - 1]) + value_of(ends[k]));
       if (!(clearance(values_, middle, depth, kLiftOff) > 0)) continue;
@@ -187,7 +189,7 @@ class Track {
 
   const DrivenMotor<S>& m_;
   DrivenMotor<double> values_;
-  std::vector<double> radii_;
+  Vector<double> radii_;
 };
 
 }  // namespace twum::core

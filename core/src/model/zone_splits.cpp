@@ -114,7 +114,7 @@ struct Place {
   std::optional<contact::Jump> jump{};
   double gap{0};  // beyond it slices have no answer over this length
 };
-using Places = std::vector<Place>;
+using Places = Vector<Place>;
 
 // Where the zones at one of two probes end, between them.
 struct End {
@@ -254,7 +254,7 @@ class PieceSplits {
   PieceSplits(const PieceQueries& queries, bool may_jump)
       : queries_(queries), may_jump_(may_jump) {}
 
-  Places among(const std::vector<Probe>& probes) {
+  Places among(const Vector<Probe>& probes) {
     for (std::size_t k = 1; k < probes.size(); ++k) {
       Side low{probes[k - 1]}, high{probes[k]};
       if (k > 1) low = side_of(probes[k - 1], probes[k - 2]);
@@ -308,14 +308,14 @@ class PieceSplits {
 
 }  // namespace
 
-std::vector<Split> zone_splits(const DrivenMotor<double>& m,
-                               const std::vector<SliceZones>& at_nodes, const SliceQueries& at) {
-  std::vector<Split> splits;
+Vector<Split> zone_splits(const DrivenMotor<double>& m, const Vector<SliceZones>& at_nodes,
+                          const SliceQueries& at) {
+  Vector<Split> splits;
   std::size_t node = 0;
   for (std::size_t k = 0; k < m.pieces.size(); ++k) {
     const Piece<double>& piece = m.pieces[k];
     const PieceQueries queries{piece, at};
-    std::vector<Probe> probes;
+    Vector<Probe> probes;
     // Where a contact begins or closes its slices are nearer to the end than any split has to be.
     if (!piece.root_low) probes.push_back(queries.probe(0));
     for (; node < at_nodes.size() && m.annulus[node].radius < piece.high; ++node)
@@ -342,9 +342,8 @@ std::optional<double> followed_place(const PieceQueries& queries, const Split& s
 
 }  // namespace
 
-std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& m,
-                                                  std::vector<Split> splits,
-                                                  const SliceQueries& at) {
+std::optional<Vector<Split>> followed_splits(const DrivenMotor<double>& m, Vector<Split> splits,
+                                             const SliceQueries& at) {
   double last = 0;
   for (Split& split : splits) {
     if (split.jump) {
@@ -360,9 +359,9 @@ std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& m,
   return splits;
 }
 
-bool change_at_splits(const DrivenMotor<double>& m, const std::vector<Split>& splits,
-                      std::span<const Slice<double>> slices,
-                      const std::vector<SliceZones>& at_nodes, const SliceQueries& at) {
+bool change_at_splits(const DrivenMotor<double>& m, const Vector<Split>& splits,
+                      std::span<const Slice<double>> slices, const Vector<SliceZones>& at_nodes,
+                      const SliceQueries& at) {
   std::size_t node = 0;
   for (std::size_t k = 0; k < m.pieces.size(); ++k) {
     const Piece<double>& piece = m.pieces[k];

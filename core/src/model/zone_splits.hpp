@@ -4,10 +4,8 @@
 #include "model/motor_model.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace twum::core {
 
@@ -25,32 +23,35 @@ struct SliceZones {
 inline constexpr double kBesideJump = 1e-9;
 
 /// What can be asked of slices at radii of the track [m].
-struct SliceQueries {
-  std::function<SliceZones(double radius)> zones;
+class SliceQueries {
+ public:
+  virtual SliceZones zones(double radius) const = 0;
   /// Asked with mu_0 > mu only: where the laps of two slices part, and the margin of a slice there (W4.5).
   /// @{
-  std::function<std::optional<contact::Jump>(double low, double high)> jump;
-  std::function<double(double radius, const contact::Jump&)> margin;
+  virtual std::optional<contact::Jump> jump(double low, double high) const = 0;
+  virtual double margin(double radius, const contact::Jump& jump) const = 0;
   /// @}
+
+ protected:
+  ~SliceQueries() = default;
 };
 
 /// Where zones appear or vanish along the track (W4.4), as splits of the pieces that touch: to about 1e-6 of a piece. Where the
 /// means jump (W4.5): to 1e-10, or to 1e-7 where a state ends because it no longer attracts.
 /// @param at_nodes  zones of the motor's slices, in their order
-std::vector<Split> zone_splits(const DrivenMotor<double>& motor,
-                               const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
+Vector<Split> zone_splits(const DrivenMotor<double>& motor, const Vector<SliceZones>& at_nodes,
+                          const SliceQueries& at);
 
 /// The splits of a point nearby (W4.5): those with a jump move to where it is now, the others stay. Nothing if a jump is not found
 /// within 0.3 of its piece, or if only the contact on one side of it has its state.
-std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& motor,
-                                                  std::vector<Split> splits,
-                                                  const SliceQueries& at);
+std::optional<Vector<Split>> followed_splits(const DrivenMotor<double>& motor, Vector<Split> splits,
+                                             const SliceQueries& at);
 
 /// True if the zones change at all splits with a jump, and nowhere else.
 /// @param slices    of the motor with these splits
 /// @param at_nodes  their zones
-bool change_at_splits(const DrivenMotor<double>& motor, const std::vector<Split>& splits,
-                      std::span<const Slice<double>> slices,
-                      const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
+bool change_at_splits(const DrivenMotor<double>& motor, const Vector<Split>& splits,
+                      std::span<const Slice<double>> slices, const Vector<SliceZones>& at_nodes,
+                      const SliceQueries& at);
 
 }  // namespace twum::core

@@ -21,8 +21,8 @@ bool is_elastic(const DrivenMotor<double>& m) {
 }
 
 // The zones of a slice; none where the theory has no answer.
-std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const Slice<double>& s,
-                                            double speed) {
+Vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const Slice<double>& s,
+                                       double speed) {
   if (m.track.radial || s.contact.half_angle == 0 || (speed == 0 && locks_at_rest(m, s))) return {};
   const ContactNumbers<double> n = contact_numbers(m, s, speed);
   const LayerMotion<double> layer(n.inertia, n.damping);
@@ -31,9 +31,9 @@ std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const 
   if (state.lap.one_slip)
     return {{state.lap.first, false, slip_sign(state.lap.first), -n.half_angle, n.half_angle}};
   if (!is_elastic(m) || n.full) return {};
-  std::vector<contact::ZoneTrace> trace;
+  Vector<contact::ZoneTrace> trace;
   contact::run_lap(n, layer, state.entry, &state.lap.sequence, &trace);
-  std::vector<DisturbedZone<double>> zones;
+  Vector<DisturbedZone<double>> zones;
   double before = 0;
   for (const contact::ZoneTrace& z : trace) {
     const double own = slip_sign(z.zone.state);
@@ -47,11 +47,11 @@ std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const 
 // Borders of zones with their derivatives. Each border is the root of a closed form, and one Newton step on Duals
 // gives its derivatives (implicit function theorem). For elastic layers, or a single zone.
 template <typename S>
-std::vector<DisturbedZone<S>> moved_zones(const ContactNumbers<S>& n,
-                                          const std::vector<DisturbedZone<double>>& zones) {
+Vector<DisturbedZone<S>> moved_zones(const ContactNumbers<S>& n,
+                                     const Vector<DisturbedZone<double>>& zones) {
   using std::sin, std::cos;
   const S& s = n.stick_rate;
-  std::vector<DisturbedZone<S>> moved;
+  Vector<DisturbedZone<S>> moved;
   S from = -n.half_angle, strain(0.0);
   for (std::size_t i = 0; i < zones.size(); ++i) {
     const DisturbedZone<double>& z = zones[i];

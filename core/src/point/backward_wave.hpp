@@ -7,7 +7,6 @@
 #include "model/stator_modes.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace twum::core {
 
@@ -31,7 +30,7 @@ struct DisturbedSlice {
   S kinetic;     ///< mu
   S shear;       ///< G / E
   S entry_rate;  ///< (G / E) (V0 cos theta_L - U) / (W A R sin theta_L): layer strained where the contact begins to stick
-  std::vector<DisturbedZone<S>> zones;
+  Vector<DisturbedZone<S>> zones;
 };
 
 /// The contact of a whole motor at an operating point, as it acts on a backward wave.
@@ -39,7 +38,7 @@ template <typename S>
 struct DisturbedContact {
   S wave_rate;  ///< W [rad/s]
   S omega;      ///< of the drive [rad/s]
-  std::vector<DisturbedSlice<S>> slices;
+  Vector<DisturbedSlice<S>> slices;
 };
 
 /// The contact of an operating point in double. Nothing where the theory has no answer: if the layer sticks somewhere

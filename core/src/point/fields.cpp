@@ -20,8 +20,8 @@ using contact::ZoneTrace;
 constexpr double kPi = std::numbers::pi;
 
 struct Trace {
-  std::vector<ZoneTrace> zones;
-  std::vector<contact::RadialPiece>
+  Vector<ZoneTrace> zones;
+  Vector<contact::RadialPiece>
       pieces;                     // in place of the zones where the surface moves radially, too
   LayerState<double> exit{0, 0};  // layer at the end of the contact
 };

@@ -189,7 +189,7 @@ long SolvedPoint::zones_followed() const {
 }
 
 WarmStart SolvedPoint::start() const {
-  std::vector<WarmStart::Entry> others;
+  Vector<WarmStart::Entry> others;
   others.reserve(others_.size());
   for (const SolvedSlice& s : others_) others.push_back(s.start());
   return {first_.start(), std::move(others)};
@@ -270,7 +270,7 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmS
 void SolvedPoint::solve(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
                         double speed, const LayerMotion<double>& layer, const WarmStart* guess,
                         double accuracy, bool may_skip) {
-  others_ = std::vector<SolvedSlice>(slices.size() - 1);
+  others_ = Vector<SolvedSlice>(slices.size() - 1);
   for (std::size_t k = 0; k < slices.size() && (status == PointStatus::ok || may_skip); ++k) {
     SolvedSlice& s = slice(k);
     if (contact::kHasLanes && !m.track.radial && k % contact::kLanes == 0)

@@ -13,7 +13,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace twum::core {
 
@@ -54,8 +53,7 @@ class WarmStart {
 
   WarmStart() = default;
   /// Of the first slice, and of the others in their order.
-  WarmStart(const Entry& first, std::vector<Entry> others)
-      : first_(first), others_(std::move(others)) {}
+  WarmStart(const Entry& first, Vector<Entry> others) : first_(first), others_(std::move(others)) {}
 
   const Entry& of_slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
   Entry& of_slice(std::size_t k) { return k == 0 ? first_ : others_[k - 1]; }
@@ -81,11 +79,11 @@ class WarmStart {
 
  private:
   Entry first_{};
-  std::vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
+  Vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
 };
 
 /// How the layer's periodic states move, slice by slice; empty where one of them does not: it is locked, or in closed form.
-using MovingStates = std::vector<contact::StateSlopes>;
+using MovingStates = Vector<contact::StateSlopes>;
 
 /// The numbers of a point with derivatives in speed and amplitude.
 struct MovingPoint {
@@ -106,7 +104,7 @@ template <typename S>
 class PointSlices {
  public:
   PointSlices(const DrivenMotor<S>& motor, std::span<const SplitPlace<S>> splits)
-      : own_(splits.empty() ? std::vector<Slice<S>>() : annulus_of(motor, splits)),
+      : own_(splits.empty() ? Vector<Slice<S>>() : annulus_of(motor, splits)),
         all_(splits.empty() ? motor.slices() : std::span<const Slice<S>>(own_)) {}
   PointSlices(const PointSlices&) = delete;
   PointSlices& operator=(const PointSlices&) = delete;
@@ -115,7 +113,7 @@ class PointSlices {
   const Slice<S>& operator[](std::size_t k) const { return all_[k]; }
 
  private:
-  std::vector<Slice<S>> own_;
+  Vector<Slice<S>> own_;
   std::span<const Slice<S>> all_;
 };
 
@@ -184,8 +182,8 @@ class SolvedPoint {
   template <typename S>
   PointNumbers<S> differentiated(const DrivenMotor<S>& motor, const S& speed) const;
   /// The same of each slice by itself, in their order; none for a point without a periodic state behind it.
-  std::vector<PointNumbers<ModelDual>> differentiated_slices(const DrivenMotor<ModelDual>& motor,
-                                                             const ModelDual& speed) const;
+  Vector<PointNumbers<ModelDual>> differentiated_slices(const DrivenMotor<ModelDual>& motor,
+                                                        const ModelDual& speed) const;
   /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.
   PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
                                                    const contact::MotionDual& speed) const;
@@ -216,18 +214,15 @@ class SolvedPoint {
   void split(const DrivenMotor<double>& motor, double speed,
              const contact::LayerMotion<double>& layer, double accuracy);
   /// Solves the track with its splits. Its slices.
-  std::vector<Slice<double>> solve_split(const DrivenMotor<double>& motor, double speed,
-                                         const contact::LayerMotion<double>& layer,
-                                         const WarmStart* guess, double accuracy);
+  Vector<Slice<double>> solve_split(const DrivenMotor<double>& motor, double speed,
+                                    const contact::LayerMotion<double>& layer,
+                                    const WarmStart* guess, double accuracy);
   /// The same with the splits of a point nearby. False if those at jumps cannot be followed; then this point means nothing.
   bool follow(const DrivenMotor<double>& motor, double speed,
-              const contact::LayerMotion<double>& layer, std::vector<Split> splits,
+              const contact::LayerMotion<double>& layer, Vector<Split> splits,
               const WarmStart& guess, double accuracy);
-  std::vector<SliceZones> zones_of_slices() const;
-  /// What the slices at an operating point answer. They hold on to the arguments.
-  SliceQueries queries(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
-                       double speed, const contact::LayerMotion<double>& layer,
-                       double accuracy) const;
+  Vector<SliceZones> zones_of_slices() const;
+  class Queries;
   bool has_pieces_of_splits(const DrivenMotor<double>& motor) const;
   void check(const DrivenMotor<double>& motor, double speed, double accuracy);
   /// Where the search at a radius may begin: what the nearest slice says.
@@ -244,11 +239,10 @@ class SolvedPoint {
   PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,
                          Differentiate differentiate) const;
 
-  SolvedSlice first_;  // undefined for special points
-  std::vector<SolvedSlice>
-      others_;                 // none where the motor is one slice: a point then costs no memory
-  double lever_{0};            // of a split track
-  std::vector<Split> splits_;  // none: the slices are those of the motor
+  SolvedSlice first_;           // undefined for special points
+  Vector<SolvedSlice> others_;  // none where the motor is one slice: a point then costs no memory
+  double lever_{0};             // of a split track
+  Vector<Split> splits_;        // none: the slices are those of the motor
 };
 
 /// Accuracy of the periodic states from which on a track is not split.

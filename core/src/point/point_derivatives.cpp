@@ -75,8 +75,8 @@ namespace {
 
 // The splits of a track in the motor's scalar.
 template <typename S, typename R>
-std::vector<SplitPlace<S>> places_of(const DrivenMotor<S>& m, const R& speed,
-                                     std::span<const Split> splits) {
+Vector<SplitPlace<S>> places_of(const DrivenMotor<S>& m, const R& speed,
+                                std::span<const Split> splits) {
   if constexpr (std::is_same_v<S, R>) {
     return moving_splits(m, speed, splits);
   } else {
@@ -91,7 +91,7 @@ template <typename S, typename R, typename Differentiate>
 PointNumbers<R> SolvedPoint::summed(const DrivenMotor<S>& m, const R& speed,
                                     Differentiate differentiate) const {
   if (special) return special_point(m, speed);
-  const std::vector<SplitPlace<S>> places = places_of(m, speed, splits_);
+  const Vector<SplitPlace<S>> places = places_of(m, speed, splits_);
   const PointSlices<S> slices(m, places);
   const auto numbers_of = [&](std::size_t k) {
     const Slice<S>& s = slices[k];
@@ -126,9 +126,9 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
 }
 
 #ifndef __wasm__  // of worn tracks
-std::vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(
-    const DrivenMotor<ModelDual>& m, const ModelDual& speed) const {
-  std::vector<PointNumbers<ModelDual>> numbers;
+Vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(const DrivenMotor<ModelDual>& m,
+                                                                   const ModelDual& speed) const {
+  Vector<PointNumbers<ModelDual>> numbers;
   if (special) return numbers;
   const PointSlices<ModelDual> slices(m, {});
   for (std::size_t k = 0; k < size(); ++k) {

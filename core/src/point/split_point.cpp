@@ -22,35 +22,55 @@ SliceZones zones_of(const SolvedSlice& s) {
 
 }  // namespace
 
-std::vector<SliceZones> SolvedPoint::zones_of_slices() const {
-  std::vector<SliceZones> zones;
+Vector<SliceZones> SolvedPoint::zones_of_slices() const {
+  Vector<SliceZones> zones;
   for (std::size_t k = 0; k < size(); ++k) zones.push_back(zones_of(slice(k)));
   return zones;
 }
 
-SliceQueries SolvedPoint::queries(const DrivenMotor<double>& m,
-                                  std::span<const Slice<double>> slices, double speed,
-                                  const LayerMotion<double>& layer, double accuracy) const {
-  const auto numbers_at = [&m, speed](double radius) {
-    return contact_numbers(m, slice_at(m, radius, m.b), speed);
-  };
-  return {[this, &m, slices, speed, &layer, accuracy](double radius) {
-            const Slice<double> there = slice_at(m, radius, m.b);
-            if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
-            const auto entry = entry_at(slices, radius);
-            return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
-          },
-          [numbers_at](double low, double high) {
-            return contact::jump_between(numbers_at(low), numbers_at(high));
-          },
-          [numbers_at](double radius, const contact::Jump& jump) {
-            return contact::jump_margin(numbers_at(radius), jump);
-          }};
-}
+// What the slices at an operating point answer.
+class SolvedPoint::Queries final : public SliceQueries {
+ public:
+  Queries(const SolvedPoint& point, const DrivenMotor<double>& motor,
+          std::span<const Slice<double>> slices, double speed, const LayerMotion<double>& layer,
+          double accuracy)
+      : point_(point),
+        motor_(motor),
+        slices_(slices),
+        speed_(speed),
+        layer_(layer),
+        accuracy_(accuracy) {}
+
+  SliceZones zones(double radius) const override {
+    const Slice<double> there = slice_at(motor_, radius, motor_.b);
+    if (!(there.contact.half_angle > 0)) return {0, HUGE_VAL};
+    const auto entry = point_.entry_at(slices_, radius);
+    return zones_of({motor_, there, speed_, layer_, entry ? &*entry : nullptr, accuracy_});
+  }
+  std::optional<contact::Jump> jump(double low, double high) const override {
+    return contact::jump_between(numbers_at(low), numbers_at(high));
+  }
+  double margin(double radius, const contact::Jump& jump) const override {
+    return contact::jump_margin(numbers_at(radius), jump);
+  }
+
+ private:
+  contact::ContactNumbers<double> numbers_at(double radius) const {
+    return contact_numbers(motor_, slice_at(motor_, radius, motor_.b), speed_);
+  }
+
+  const SolvedPoint& point_;
+  const DrivenMotor<double>& motor_;
+  std::span<const Slice<double>> slices_;
+  double speed_;
+  const LayerMotion<double>& layer_;
+  double accuracy_;
+};
 
 void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
                         const LayerMotion<double>& layer, double accuracy) {
-  splits_ = zone_splits(m, zones_of_slices(), queries(m, m.slices(), speed, layer, accuracy));
+  splits_ =
+      zone_splits(m, zones_of_slices(), Queries(*this, m, m.slices(), speed, layer, accuracy));
   if (splits_.empty()) return;
   status = PointStatus::ok;
   solve_split(m, speed, layer, nullptr, accuracy);
@@ -67,10 +87,10 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
   return near.start();
 }
 
-std::vector<Slice<double>> SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
-                                                    const LayerMotion<double>& layer,
-                                                    const WarmStart* guess, double accuracy) {
-  std::vector<Slice<double>> slices = annulus_of<double>(m, fixed_places(splits_));
+Vector<Slice<double>> SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
+                                               const LayerMotion<double>& layer,
+                                               const WarmStart* guess, double accuracy) {
+  Vector<Slice<double>> slices = annulus_of<double>(m, fixed_places(splits_));
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
   first_ = {};
@@ -84,21 +104,22 @@ bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
 }
 
 bool SolvedPoint::follow(const DrivenMotor<double>& m, double speed,
-                         const LayerMotion<double>& layer, std::vector<Split> splits,
+                         const LayerMotion<double>& layer, Vector<Split> splits,
                          const WarmStart& guess, double accuracy) {
   if (!has_static_excess(m)) {
     splits_ = std::move(splits);
     solve_split(m, speed, layer, &guess, accuracy);
     return true;
   }
-  auto followed = followed_splits(m, std::move(splits), queries(m, m.slices(), speed, layer, 0));
+  auto followed =
+      followed_splits(m, std::move(splits), Queries(*this, m, m.slices(), speed, layer, 0));
   if (!followed) return false;
   splits_ = std::move(*followed);
   WarmStart start = guess;
   for (std::size_t k = 0; k < start.size(); ++k) start.of_slice(k).decided = true;
-  const std::vector<Slice<double>> slices = solve_split(m, speed, layer, &start, accuracy);
+  const Vector<Slice<double>> slices = solve_split(m, speed, layer, &start, accuracy);
   return status == PointStatus::ok && change_at_splits(m, splits_, slices, zones_of_slices(),
-                                                       queries(m, slices, speed, layer, 0));
+                                                       Queries(*this, m, slices, speed, layer, 0));
 }
 
 }  // namespace twum::core

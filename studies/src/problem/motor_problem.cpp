@@ -144,6 +144,19 @@ DesignProblem& DesignProblem::minimize(OwnMetric metric) {
   return *this;
 }
 
+DesignProblem& DesignProblem::maximize(std::function<double(const Motor&)> function) {
+  return maximize(OwnMetric{.name = "own", .value = std::move(function)});
+}
+
+DesignProblem& DesignProblem::minimize(std::function<double(const Motor&)> function) {
+  return minimize(OwnMetric{.name = "own", .value = std::move(function)});
+}
+
+DesignProblem& DesignProblem::limit(std::string name, std::function<double(const Motor&)> function,
+                                    double lower, double upper) {
+  return limit(OwnMetric{.name = std::move(name), .value = std::move(function)}, lower, upper);
+}
+
 DesignProblem& DesignProblem::limit(Metric metric, double lower, double upper) {
   const MetricInfo& row = info(metric);
   return limit(limit_text(std::string(row.name), std::string(row.unit), lower, upper));

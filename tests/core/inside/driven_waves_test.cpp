@@ -42,7 +42,7 @@ TEST_CASE("no wave is missed below the largest there can be (D2.7, D2.8)",
     const DrivenWaves& waves = drive.waves();
     const double crest = waves.crest_speed_per_amplitude() * 1e-6;
     const double speed = i % 3 == 0 ? 0 : dice.uniform(0, 1.3) * crest;
-    const std::vector<WaveSolution> found = drive.solutions(speed);
+    const Vector<WaveSolution> found = drive.solutions(speed);
     // Twice as many samples a decade as bends need, to beyond the largest solution.
     std::vector<double> places;
     bool below = true;

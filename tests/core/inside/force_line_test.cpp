@@ -87,7 +87,7 @@ Fall largest_fall(const ForceScan& scan) {
   return most > 1 ? Fall{scan.extremum(from, true), scan.extremum(to, false)} : Fall{};
 }
 
-Fall largest_fall(const std::vector<ForceExtremum>& extrema) {
+Fall largest_fall(const Vector<ForceExtremum>& extrema) {
   Fall fall;
   double highest = 0;
   for (const ForceExtremum& e : extrema) {
@@ -176,7 +176,7 @@ TEST_CASE("two extrema beside each other are both found (D2.8)", "[core][driven]
   for (int i = 0; i < 60; ++i) {
     const MotorDesign design = varied_motor(dice);
     const DrivenWaves waves = Drive::waves_of(design);
-    const std::vector<ForceExtremum> extrema = ForceLine(waves, 9).extrema();
+    const Vector<ForceExtremum> extrema = ForceLine(waves, 9).extrema();
     if (extrema.size() < 4) continue;
     ++pairs;
     INFO("motor " << i);
@@ -228,7 +228,7 @@ TEST_CASE("a jump of H that ends the running wave is where time stepping finds i
           "[core][driven][brute_force]") {
   const MotorDesign design = motor_that_ends_at_a_jump();
   const DrivenWaves waves = Drive::waves_of(design);
-  const std::vector<ForceExtremum> extrema = ForceLine(waves, 0).extrema();
+  const Vector<ForceExtremum> extrema = ForceLine(waves, 0).extrema();
   const auto hold = std::min_element(
       extrema.begin(), extrema.end(),
       [](const ForceExtremum& a, const ForceExtremum& b) { return a.force < b.force; });

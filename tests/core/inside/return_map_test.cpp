@@ -242,7 +242,7 @@ TEST_CASE("laps through other zones have another itinerary", "[core][contact][id
   for (int i = 0; i < 3000; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i, true);
     const LayerMotion<double> layer(n.inertia, n.damping);
-    std::vector<ZoneTrace> trace;
+    core::Vector<ZoneTrace> trace;
     const LapEntry<double> entry{{dice.uniform(-0.1, 0.1), dice.uniform(-0.3, 0.3)}};
     const Lap<double> lap = run_lap<double>(n, layer, entry, nullptr, &trace);
     std::vector<ZoneState> zones;

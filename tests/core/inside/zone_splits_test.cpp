@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 using namespace twum;
@@ -27,15 +29,30 @@ double line(double distance) { return 0.2 * distance; }
 double jump(double /*distance*/) { return 0.4; }
 
 // A track on which zones change at some places, in parts of it.
-struct MadeTrack {
+struct MadeTrack final : SliceQueries {
   const DrivenMotor<double>& motor;
   std::vector<double> breaks;
   Law law;
-  int calls{0};
+  int gap{-1};  // number of breaks below the places without an answer
+  mutable int calls{0};
+
+  MadeTrack(const DrivenMotor<double>& its_motor, std::vector<double> places, Law of_length)
+      : motor(its_motor), breaks(std::move(places)), law(of_length) {}
+
+  SliceZones zones(double radius) const override {
+    ++calls;
+    return at_place(place_of(radius));
+  }
+  // Nothing helps to find them.
+  std::optional<contact::Jump> jump(double /*low*/, double /*high*/) const override { return {}; }
+  double margin(double radius, const contact::Jump& /*jump*/) const override {
+    return place_of(radius) - breaks.front();
+  }
 
   SliceZones at_place(double place) const {
     const auto next = std::upper_bound(breaks.begin(), breaks.end(), place);
     const auto index = next - breaks.begin();
+    if (index == gap) return {SliceZones::kNoAnswer, HUGE_VAL};
     const double length = index == 0 ? 1 : law(place - next[-1]);
     return {static_cast<std::uint64_t>(100 + index), length};
   }
@@ -43,17 +60,12 @@ struct MadeTrack {
     const Piece<double>& piece = motor.pieces.front();
     return (radius - piece.low) / (piece.high - piece.low);
   }
-  std::vector<Split> splits() {
-    std::vector<SliceZones> at_nodes;
-    for (const Slice<double>& s : motor.annulus) at_nodes.push_back(at_place(place_of(s.radius)));
-    SliceQueries queries;
-    queries.zones = [this](double radius) {
-      ++calls;
-      return at_place(place_of(radius));
-    };
-    queries.jump = [](double, double) { return std::nullopt; };  // nothing helps to find them
-    return zone_splits(motor, at_nodes, queries);
+  Vector<SliceZones> zones_of(std::span<const Slice<double>> slices) const {
+    Vector<SliceZones> zones;
+    for (const Slice<double>& s : slices) zones.push_back(at_place(place_of(s.radius)));
+    return zones;
   }
+  Vector<Split> splits() { return zone_splits(motor, zones_of(motor.annulus), *this); }
   std::vector<double> found() {
     std::vector<double> places;
     for (const Split& split : splits()) places.push_back(split.place);
@@ -135,58 +147,38 @@ TEST_CASE(
     "[core][annulus][made]") {
   const DrivenMotor<double>& motor = jumping_track();
   MadeTrack track{motor, {0.4}, &jump};
-  SliceQueries queries;
-  queries.zones = [&](double radius) { return track.at_place(track.place_of(radius)); };
-  queries.margin = [&](double radius, const contact::Jump&) {
-    return track.place_of(radius) - track.breaks.front();
-  };
   const contact::Jump known{contact::Jump::Kind::in_slip, 0, 0, 1, 0};
-  const auto found = followed_splits(motor, {{{0, 0.38}, known}}, queries);
+  const auto found = followed_splits(motor, {{{0, 0.38}, known}}, track);
   REQUIRE(found.has_value());
   REQUIRE(found->size() == 1);
   CHECK(std::abs(found->front().place - 0.4) <= 1e-13);
 
-  const std::vector<Slice<double>> slices = annulus_of<double>(motor, fixed_places(*found));
-  const auto zones_of_slices = [&] {
-    std::vector<SliceZones> zones;
-    for (const Slice<double>& s : slices) zones.push_back(track.at_place(track.place_of(s.radius)));
-    return zones;
-  };
-  CHECK(change_at_splits(motor, *found, slices, zones_of_slices(), queries));
+  const Vector<Slice<double>> slices = annulus_of<double>(motor, fixed_places(*found));
+  CHECK(change_at_splits(motor, *found, slices, track.zones_of(slices), track));
   for (const double unseen : {0.1, 0.395, 0.405, 0.999}) {
     track.breaks = {std::min(unseen, 0.4), std::max(unseen, 0.4)};
     CAPTURE(unseen);
-    CHECK(!change_at_splits(motor, *found, slices, zones_of_slices(), queries));
+    CHECK(!change_at_splits(motor, *found, slices, track.zones_of(slices), track));
   }
   track.breaks = {};  // a jump that is gone
-  CHECK(!change_at_splits(motor, *found, slices, zones_of_slices(), queries));
+  CHECK(!change_at_splits(motor, *found, slices, track.zones_of(slices), track));
   // A state that only one side has would have to be followed too, and a jump far away may be another one.
   contact::Jump of_state = known;
   of_state.beside = -1;
-  CHECK(!followed_splits(motor, {{{0, 0.38}, of_state}}, queries));
+  CHECK(!followed_splits(motor, {{{0, 0.38}, of_state}}, track));
   track.breaks = {0.9};
-  CHECK(!followed_splits(motor, {{{0, 0.38}, known}}, queries));
+  CHECK(!followed_splits(motor, {{{0, 0.38}, known}}, track));
   track.breaks = {1.01};  // beyond the track
-  CHECK(!followed_splits(motor, {{{0, 0.95}, known}}, queries));
+  CHECK(!followed_splits(motor, {{{0, 0.95}, known}}, track));
 }
 
 TEST_CASE("slices without an answer between two others are passed over where they are few (W4.5)",
           "[core][annulus][made]") {
   for (const double width : {1e-5, 1e-3, 0.05}) {
     const double low = 0.5, high = low + width;
-    const DrivenMotor<double>& motor = jumping_track();
-    const auto at_place = [=](double place) {
-      if (place >= low && place < high) return SliceZones{SliceZones::kNoAnswer, HUGE_VAL};
-      return SliceZones{place < low ? 1u : 2u, 1};
-    };
-    const MadeTrack places{motor, {}, &jump};
-    std::vector<SliceZones> at_nodes;
-    for (const Slice<double>& s : motor.annulus)
-      at_nodes.push_back(at_place(places.place_of(s.radius)));
-    SliceQueries queries;
-    queries.zones = [&](double radius) { return at_place(places.place_of(radius)); };
-    queries.jump = [](double, double) { return std::nullopt; };
-    const std::vector<Split> splits = zone_splits(motor, at_nodes, queries);
+    MadeTrack track{jumping_track(), {low, high}, &jump};
+    track.gap = 1;  // between the two breaks
+    const Vector<Split> splits = track.splits();
     CAPTURE(width, splits.size());
     if (width >
         0.005) {  // too many: they are a panel of their own, which says that it has no answer

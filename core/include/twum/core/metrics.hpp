@@ -93,6 +93,14 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
 MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 /// @}
 
+/// The same in the memory of a workspace, with the values in an array of the caller's. In a workspace that is large enough metrics
+/// of the torque-speed curve take nothing from the heap, but for the exception inside of one that turns out to have no value.
+/// Held points, heat, wear and motions take some.
+/// @param values  as many as there are requests
+/// @throws InputError for another number of values
+void evaluate(const Motor& motor, std::span<const MetricRequest> requests,
+              std::span<MetricValue> values, Workspace& workspace);
+
 /// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at every root. All
 /// derivatives of all metrics together cost about 2.6 times the metrics alone. No argument makes it throw, as for
 /// evaluate(). For the number of wavelengths of a motor with a geometry, and for radii of its plate that coincide,

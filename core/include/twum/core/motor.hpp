@@ -4,6 +4,7 @@
 #include <twum/core/motor_design.hpp>
 #include <twum/core/normal_contact.hpp>
 #include <twum/core/operating_point.hpp>
+#include <twum/core/workspace.hpp>
 
 #include <memory>
 #include <vector>
@@ -74,11 +75,16 @@ class Motor {
   /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
+  /// The same in the memory of a workspace: without heap allocation once the workspace is large enough, but for the first call
+  /// of a motor under a voltage, which follows its running wave; first_speed() does that, too.
+  OperatingPoint operating_point(double speed, Workspace& workspace) const;
 
   /// The same for a wave with another amplitude and frequency than the design's. The layer's viscosity stays that of
   /// the design, even if it follows from a loss factor at the design's frequency.
   /// @throws InputError as above, and for an amplitude or a frequency outside its range.
   OperatingPoint operating_point(const OperatingConditions& at) const;
+  /// The same in the memory of a workspace, as above.
+  OperatingPoint operating_point(const OperatingConditions& at, Workspace& workspace) const;
 
   /// Stick and slip zones at the contact radius at a rotor speed [rad/s] from contact entry to exit; empty if the point has
   /// no answer. About a microsecond a slice.

@@ -10,6 +10,7 @@
 #include <twum/motors/varied_parameters.hpp>
 #include <twum/optim/problem.hpp>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -108,6 +109,12 @@ struct DesignProblem {
   DesignProblem& maximize(OwnMetric metric);
   DesignProblem& minimize(OwnMetric metric);
   /// @}
+  /// The same of a function without unit and derivatives, which answers name "own".
+  /// @throws InputError as expression_of()
+  /// @{
+  DesignProblem& maximize(std::function<double(const Motor&)> function);
+  DesignProblem& minimize(std::function<double(const Motor&)> function);
+  /// @}
   /// Adds a limit such as "max_pressure <= 10 MPa".
   /// @throws ValueError if the text is no limit, as parse_limit().
   DesignProblem& limit(std::string_view text);
@@ -117,6 +124,9 @@ struct DesignProblem {
   /// The same for a metric of the program.
   /// @throws ValueError as above, InputError as expression_of()
   DesignProblem& limit(OwnMetric metric, double lower, double upper);
+  /// The same of a function without unit and derivatives: limit("cost", cost, -kInfinity, 12).
+  DesignProblem& limit(std::string name, std::function<double(const Motor&)> function, double lower,
+                       double upper);
 };
 
 /// The motor of a design. `design` holds the values of the variables in their order, then for each choice the number

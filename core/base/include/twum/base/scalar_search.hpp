@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <twum/base/function_ref.hpp>
+
 #include <string_view>
 
 namespace twum {
@@ -23,8 +24,8 @@ struct Bracket {
 /// @param ends    finite places; the values there differ in sign, or one of them is zero
 /// @param bits    more than 51 are 51: neighbouring numbers, but for a few
 /// @throws EvaluationError "no-bracket" if the ends are no such places, or a value of f inside is not a number
-Bracket closed_in(std::string_view sought, const std::function<double(double)>& f,
-                  const Bracket& ends, int bits = 51);
+Bracket closed_in(std::string_view sought, FunctionRef<double(double)> f, const Bracket& ends,
+                  int bits = 51);
 
 /// The least value of a function.
 struct LeastValue {
@@ -36,14 +37,14 @@ struct LeastValue {
 /// @param sought  what the place is, for the message of the error
 /// @param bits    of the larger place; more than half of a number's, 26, are 26
 /// @throws EvaluationError "no-bracket" if the places are not finite or low > high
-LeastValue least_between(std::string_view sought, const std::function<double(double)>& f,
-                         double low, double high, int bits = 26);
+LeastValue least_between(std::string_view sought, FunctionRef<double(double)> f, double low,
+                         double high, int bits = 26);
 
 /// Where a function that begins at 0 or above reaches zero, or the last place at which it has a value (is not NaN).
 /// @param sought  as closed_in(), as are `bits` and the errors
 /// @param good    where it is not below 0
 /// @param bad     a place above, where it is below 0 or has no value
-double zero_or_last_value(std::string_view sought, const std::function<double(double)>& f,
-                          double good, double bad, int bits);
+double zero_or_last_value(std::string_view sought, FunctionRef<double(double)> f, double good,
+                          double bad, int bits);
 
 }  // namespace twum
