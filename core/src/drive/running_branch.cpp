@@ -28,16 +28,17 @@ RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
   if (!(waves.drive() > 0)) return;
   const bool running = largest && runs_at_rest(*largest);
   const auto hold = lowest_hold(at_rest_);
-  const double amplitude = running ? largest->amplitude : largest_amplitude(waves);
+  const bool largest_runs = running && !has_hold_beyond(*largest);
+  const double amplitude = largest_runs ? largest->amplitude : largest_amplitude(waves);
   const double crest = waves.crest_speed_per_amplitude();
-  unit_ = crest * (hold && !running ? hold->amplitude : amplitude);
+  unit_ = crest * (hold && !largest_runs ? hold->amplitude : amplitude);
   fastest_ = kRules.fastest * crest * amplitude;
   if (!(unit_ > 0) || !std::isfinite(fastest_)) return;
   if (running) trace(*largest, 0);
   if (with_dead)
     for (const CurveNode& wave : at_rest.held())
       if (wave.rise > 0) trace(wave, 0);
-  if (!running || ends_in_gap()) search(at_rest);
+  if (!largest_runs || ends_in_gap()) search(at_rest);
   list_nodes();
 }
 
@@ -53,6 +54,13 @@ WaveCurve RunningBranch::curve(double lowest, double highest, double longest) co
   return {ForcePlane::of_speed(waves_, unit_),
           {{-HUGE_VAL, lowest / unit_}, {HUGE_VAL, highest / unit_}},
           {longest, kRules.speed.steep, kRules.speed.settled, kRules.speed.states}};
+}
+
+// Larger waves that are not held at rest may be at some speed.
+bool RunningBranch::has_hold_beyond(const CurveNode& wave) const {
+  return std::any_of(at_rest_.begin(), at_rest_.end(), [&](const ForceExtremum& e) {
+    return !e.maximum && e.amplitude > wave.amplitude;
+  });
 }
 
 // Beyond the fastest wave known are speeds without a periodic state, and no wave within the longest leap.
@@ -232,12 +240,6 @@ RunningBranch::Neighbours RunningBranch::about(double speed, bool running) const
   return largest;
 }
 
-std::pair<const CurveNode*, const CurveNode*> BranchPiece::around(double speed) const {
-  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, speed,
-                                      [](double s, const CurveNode& n) { return s < n.parameter; });
-  return {&*(above - 1), &*above};
-}
-
 std::optional<bool> RunningBranch::runs(double speed, double amplitude) const {
   if (speed < 0 || speed > fastest_) return {};
   return std::any_of(pieces_.begin(), pieces_.end(), [&](const BranchPiece& piece) {
@@ -311,17 +313,6 @@ std::optional<MotorPoint> RunningBranch::solve_in_known_zones(double speed, cons
     last = off;
   }
   return {};
-}
-
-std::array<const CurveNode*, 2> BranchPiece::outer_neighbours(const CurveNode& a,
-                                                              const CurveNode& b) const {
-  const std::uint64_t zones = a.solved.signature();
-  if (b.solved.signature() != zones) return {};
-  const auto if_like = [&](const CurveNode& n) {
-    return n.solved.signature() == zones && same_slices(n, a) ? &n : nullptr;
-  };
-  return {&a > &nodes.front() ? if_like(*(&a - 1)) : nullptr,
-          &b < &nodes.back() ? if_like(*(&b + 1)) : nullptr};
 }
 
 // Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "drive/branch_piece.hpp"
 #include "drive/force_line.hpp"
 
 #include <array>
@@ -8,25 +9,6 @@
 #include <utility>
 
 namespace twum::core {
-
-/// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
-struct BranchPiece {
-  Vector<CurveNode> nodes;  ///< by rising speed
-  bool running;
-  bool dead;     ///< that of a stator which the rotor clamps; a single wave at rest is both
-  int curve{0};  ///< number of the curve that it is a part of
-
-  double lowest() const { return nodes.front().parameter; }
-  double highest() const { return nodes.back().parameter; }
-  bool is(bool running_one) const { return running_one ? running : dead; }
-  /// The ripple of a real motor's speed is larger than other pieces.
-  bool is_wide() const { return highest() - lowest() > kRules.narrowest * highest(); }
-  bool covers(double speed) const { return speed >= lowest() && speed <= highest(); }
-  /// The neighbouring nodes about a speed.
-  std::pair<const CurveNode*, const CurveNode*> around(double speed) const;
-  /// The nodes beside two neighbours, null where they have other zones than both.
-  std::array<const CurveNode*, 2> outer_neighbours(const CurveNode& a, const CurveNode& b) const;
-};
 
 /// The waves of a motor over the rotor speed, as curves that are followed once. Every answer starts from their nodes, so that it does
 /// not depend on earlier ones.
@@ -57,6 +39,7 @@ class RunningBranch {
  private:
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
+  bool has_hold_beyond(const CurveNode& wave) const;
   bool ends_in_gap() const;
   const BranchPiece* fastest_piece(bool running) const;
   void search(const ForceLine& at_rest);
