@@ -307,7 +307,7 @@ CombinationResponses::Numbers CombinationResponses::values_of(
 
 namespace {
 
-// Stands for a reserve that is not asked for, and where there is no least voltage.
+// Stands for a reserve that is not asked for, for larger ones, which bind nothing, and where there is no least voltage.
 constexpr double kSomeReserve = 1;
 
 // With mu_0 > mu the reserve of a motor that runs costs a hundred times as much as its metrics, else as much or a few times.
@@ -380,7 +380,8 @@ CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& m
   if (!reserves.empty() && (lacks ? gradient : !has_static_excess(motor))) {
     Numbers found = values_of(motor, reserves_, gradient);
     for (std::size_t k = 0; k < found.size(); ++k)
-      if (found[k].value.status == MetricStatus::ok) reserves[k] = found[k];
+      if (found[k].value.status == MetricStatus::ok && found[k].value.value < kSomeReserve)
+        reserves[k] = found[k];
     const auto missing = lacks ? missing_voltage(motor, reserves) : std::nullopt;
     if (missing) {
       numbers =
