@@ -40,6 +40,8 @@ ContactForces mixed(const ContactForces& a, const ContactForces& b, double share
 }  // namespace
 
 ContactForces Contact::solved(double amplitude, double speed, double frequency, double preload) {
+  // no preload, no contact
+  if (model_->full_contact_amplitude == 0 || preload == 0) return {};
   if (!model_->motor.design().stator.radial_motion)
     return solved_at(amplitude, speed, frequency, preload, floor_);
   const double least = kLeastRadial * model_->full_contact_amplitude;
@@ -55,8 +57,6 @@ ContactForces Contact::solved(double amplitude, double speed, double frequency, 
 
 ContactForces Contact::solved_at(double amplitude, double speed, double frequency, double preload,
                                  double least) {
-  // no preload, no contact
-  if (model_->full_contact_amplitude == 0 || preload == 0) return {};
   const double a = std::max(amplitude, least);
   const double omega = 2 * std::numbers::pi * frequency;
   const MotorDesign& d = model_->motor.design();

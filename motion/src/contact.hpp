@@ -37,10 +37,13 @@ class Contact {
   const std::string& failure() const { return failure_; }
 
  private:
-  // With radial motion a layer that hardly slips takes more laps than are followed: below this share of the crest's speed, or of
-  // A_1 as long as the rotor moves, forces go on a line to those at rest, which have a closed form (R4.1). It is off by the square of
-  // the share.
-  static constexpr double kCreep = 1e-3, kLeastRadial = 1e-2, kNoShare = 1e-8;
+  // With radial motion a layer that hardly slips needs more laps than are followed. So below this share of the crest's speed forces
+  // are interpolated between that speed and rest, where they have a closed form (R4.1); the error is the square of the share.
+  static constexpr double kCreep = 1e-3;
+  // Of A_1: smallest amplitude of a contact with a rotor that moves. Below it sliding alone decides, and F is linear in A.
+  static constexpr double kLeastRadial = 1e-2;
+  // Of the speed above: below it the rotor counts as at rest.
+  static constexpr double kNoShare = 1e-8;
 
   ContactForces solved(double amplitude, double speed, double frequency, double preload);
   ContactForces solved_at(double amplitude, double speed, double frequency, double preload,

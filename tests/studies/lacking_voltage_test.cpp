@@ -12,7 +12,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 // Searches of motors under a voltage that is at first too low to run them (Y5.4).
@@ -59,6 +61,32 @@ TEST_CASE("responses beside the motors that run are continuous, and their Jacobi
               Approx(difference * design[j]).epsilon(2e-4).margin(2e-4 * std::fabs(at.values[i])));
       }
     }
+  }
+}
+
+TEST_CASE("a motor that runs has its reserve of voltage as an implied limit, at most 1 (Y5.4)",
+          "[studies][held]") {
+  const DesignProblem question = problem_of(100);
+  const optim::Problem problem = motor_problem(question);
+  const auto reserve = [&](double voltage, const MetricRequest& request) {
+    MotorDesign motor = with(question.motor, Parameter::voltage, voltage);
+    motor.preload = 160, motor.layer.thickness = 0.5e-3;
+    const MetricValue found = evaluate(Motor(motor), request);
+    REQUIRE(found.status == MetricStatus::ok);
+    return std::min(found.value, 1.0);
+  };
+  for (const double voltage : {80.0, 110.0, 149.0}) {
+    CAPTURE(voltage);
+    const optim::Evaluation at = problem.evaluate(std::vector<double>{voltage, 160, 0.5e-3}, true);
+    REQUIRE(at.ok());
+    // The goal, the limit, and the reserves of both.
+    REQUIRE(at.values.size() == 4);
+    CHECK(at.values[2] ==
+          Approx(reserve(voltage, {Metric::voltage_reserve_at, Argument::torque, 0.4}))
+              .epsilon(1e-12));  // the same sums
+    CHECK(at.values[3] == Approx(reserve(voltage, {Metric::voltage_reserve_at, Argument::speed,
+                                                   60 * std::numbers::pi / 30}))
+                              .epsilon(1e-12));
   }
 }
 

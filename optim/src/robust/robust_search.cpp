@@ -277,8 +277,8 @@ Certificate RobustSearch::certified(const SolvedRound& solved) const {
   if (found.passed && !problem_.measured.empty() && risks_bind(*solved.round, found)) {
     found.passed = found.second_order = false;
     found.reason =
-        "the share of measured parts that fail changes in steps, which the search followed by a "
-        "smooth law; another design may be somewhat better";
+        "with measured parts the share that fails changes in steps; the search used a smooth "
+        "law in their place, so another design may be slightly better";
   }
   return found;
 }

@@ -6,16 +6,22 @@
 
 namespace twum::optim {
 
-// Of the best design, by more than a hundred thousandth, or a tenth of what limits are broken by.
+// The best design counts as better if its objective falls by a hundred thousandth or, as long as it breaks limits, what they are
+// broken by falls by a tenth: a search that converges does more within some tens of points.
 bool Allowance::gains() {
   constexpr double kOfObjective = 1e-5, kOfExcess = 0.1;
   if (!nlp_.best()) return false;
   const Candidate& best = *nlp_.best();
-  const bool feasible = best.violation <= nlp_.session().options().feasibility_tolerance;
-  const bool less = best.f < objective_ - kOfObjective * std::max(1.0, std::abs(objective_));
-  const bool nearer = best.excess < (1 - kOfExcess) * excess_;
-  if (any_ && feasible == feasible_ && !(feasible ? less : nearer)) return false;
-  any_ = true, feasible_ = feasible, objective_ = best.f, excess_ = best.excess;
+  const Gain now{best.f, best.excess,
+                 best.violation <= nlp_.session().options().feasibility_tolerance};
+  if (last_gain_ && last_gain_->feasible == now.feasible) {
+    const auto& [objective, excess, feasible] = *last_gain_;
+    const double least = kOfObjective * std::max(1.0, std::abs(objective));
+    const bool less = now.objective < objective - least;
+    const bool nearer = now.excess < (1 - kOfExcess) * excess;
+    if (!(feasible ? less : nearer)) return false;
+  }
+  last_gain_ = now;
   return true;
 }
 
@@ -23,7 +29,7 @@ bool Allowance::take(std::span<const double> z) {
   // A point is asked for by the objective and by two lists of limits, and a search that begins or
   // ends asks for a few points again: some ten requests in a row, far below this.
   constexpr std::size_t kMostRequestsWithoutEvaluation = 1000;
-  // Searches that end by themselves gain at least so often.
+  // A search that converges gains far more often.
   const std::size_t most_without_gain = 60 + 20 * nlp_.size();
   if (used_up()) return false;
   const std::size_t evaluations = nlp_.session().counters().evaluations;

@@ -4,6 +4,7 @@
 #include "problem/nlp.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace twum::optim {
 
@@ -12,8 +13,8 @@ inline constexpr const char* kKnownOptimum = "KNOWN_OPTIMUM";
 
 /// Limits the requests of one solver run: the number of distinct points, and the number of requests in a row that
 /// need no evaluation. A solver in an endless loop returns to stored points, or asks for points that are not finite;
-/// a budget of evaluations does not end that. A run that has come to the known optimum of its Nlp gets no more points, and a local
-/// search none that no longer gains: where values end it may step across the end and back for ever.
+/// a budget of evaluations does not end that. A run that has come to the known optimum of its Nlp gets no more points. Nor does a
+/// local search whose best design no longer gets better: where values end, a solver may step across the end and back for ever.
 class Allowance {
  public:
   enum class Search : unsigned char { local, global };
@@ -40,14 +41,18 @@ class Allowance {
   std::size_t points() const { return std::min(points_, nlp_.session().left()); }
 
  private:
+  // The best design when it last became better.
+  struct Gain {
+    double objective, excess;
+    bool feasible;
+  };
   bool gains();
 
   Nlp& nlp_;
   std::size_t points_;
   Search search_;
-  std::size_t without_gain_{0};      // points in a row
-  double objective_{0}, excess_{0};  // of the last gain
-  bool feasible_{false}, any_{false};
+  std::size_t without_gain_{0};  // points in a row
+  std::optional<Gain> last_gain_;
   std::size_t requests_without_evaluation_{0};  // in a row
   std::size_t evaluations_{0};
   std::vector<double> last_;

@@ -3,6 +3,7 @@
 
 #include "report/encode.hpp"
 #include "report/track.hpp"
+#include "telling/curve_charts.hpp"
 
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
@@ -92,9 +93,7 @@ Json metrics_json(const Motor& motor) {
 
 // What tables of points and charts need: all columns of a curve, or the torque alone over speeds that are equally spaced.
 Json columns_json(const telling::MotorCurve& curve) {
-  std::vector<CurveColumn> columns = curve_columns(curve.motor.design());
-  if (!has_modal_data(curve.motor.design()))
-    columns.push_back({"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }});
+  std::vector<CurveColumn> columns = telling::told_columns(curve.motor.design());
   if (!curve.whole) columns = {columns[1]};
   Json json = Json::array();
   for (const CurveColumn& column : columns) {

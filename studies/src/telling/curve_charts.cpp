@@ -51,9 +51,7 @@ bool at_terminals(const MotorCurve& curve) { return has_modal_data(curve.motor.d
 bool is_damped(const MotorCurve& curve) { return modal_damping(curve.motor.design()) > 0; }
 
 CurveColumn column_of(const MotorCurve& curve, std::string_view name) {
-  if (name == "stator_loss")  // that of motors without modal data, too
-    return {"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }};
-  const std::vector<CurveColumn> columns = curve_columns(curve.motor.design());
+  const std::vector<CurveColumn> columns = told_columns(curve.motor.design());
   return *std::ranges::find(columns, name, &CurveColumn::name);
 }
 
@@ -301,6 +299,13 @@ Section points_section() {
 }
 
 }  // namespace
+
+std::vector<CurveColumn> told_columns(const MotorDesign& design) {
+  std::vector<CurveColumn> columns = curve_columns(design);
+  if (!has_modal_data(design))
+    columns.push_back({"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }});
+  return columns;
+}
 
 EfficiencyKind efficiency_kind(const MotorDesign& design) {
   if (has_modal_data(design)) return kOverall;

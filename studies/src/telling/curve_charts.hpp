@@ -4,6 +4,7 @@
 #include "telling/curve_limits.hpp"
 
 #include <twum/core/motor.hpp>
+#include <twum/motors/curve_points.hpp>
 #include <twum/studies/telling.hpp>
 
 #include <string>
@@ -11,6 +12,9 @@
 
 /// Charts of quantities over the speed; internal.
 namespace twum::studies::telling {
+
+/// The columns of a curve, and the stator's loss of motors without modal data, too.
+std::vector<CurveColumn> told_columns(const MotorDesign& design);
 
 /// What comes out of a motor over what goes in, as far as its losses are known.
 struct EfficiencyKind {

@@ -147,6 +147,33 @@ TEST_CASE("asking for nothing but what is known ends a run", "[optim][nlp][budge
   }
 }
 
+TEST_CASE("a local search ends if its best design no longer gets better", "[optim][nlp][budget]") {
+  // Points at which f = x grows from the first one on; each tenth is a new best one if `gains`.
+  const auto asked = [](Allowance::Search search, bool gains) {
+    Problem problem;
+    problem.variables = {{"x", 0.0, 1.0, 0.5}};
+    problem.objectives = {{"f"}};
+    problem.evaluate = [](std::span<const double> x, bool) {
+      return Evaluation{{x[0]}, {1.0}, {}, {}};
+    };
+    Stage stage(problem);
+    Nlp nlp = stage.nlp();
+    Allowance allowance(nlp, 2000, search);
+    int points = 0;
+    for (; points < 2000; ++points) {
+      const double worse = 0.9 + 1e-5 * points, best = 0.8 - 1e-3 * points / 10;
+      const std::vector<double> z{points == 0 || (gains && points % 10 == 0) ? best : worse};
+      if (!allowance.take(z)) break;
+      nlp.at(z, true);
+    }
+    return points;
+  };
+  // 60 + 20 n points, after the first one.
+  CHECK(asked(Allowance::Search::local, false) == 82);
+  CHECK(asked(Allowance::Search::local, true) == 2000);
+  CHECK(asked(Allowance::Search::global, false) == 2000);
+}
+
 TEST_CASE("a request to stop reaches a solver that asks for nothing new", "[optim][nlp][budget]") {
   std::stop_source source;
   Stage stage(torn(), source.get_token());

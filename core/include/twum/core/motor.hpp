@@ -72,7 +72,8 @@ class Motor {
   /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. With one slice and a given amplitude about
   /// a microsecond and no heap allocation. Some four times as long for 8 slices or under a voltage, 40 times for `auto`, 200
   /// times for both, with up to a hundred allocations (docs/benchmarks.md).
-  /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
+  /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu. Where the whole contact sticks at rest, the
+  /// torque there is the limit of forward speeds, and at a speed of -0.0 that of backward ones.
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
   /// The same in the memory of a workspace: without heap allocation once the workspace is large enough, but for the first call

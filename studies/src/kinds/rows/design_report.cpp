@@ -2,7 +2,7 @@
 #include "kinds/rows/design_report.hpp"
 
 #include "problem/held_duty.hpp"
-#include "problem/motor_responses.hpp"
+#include "problem/implied_limits.hpp"
 
 #include <twum/base/error.hpp>
 
