@@ -79,12 +79,12 @@ TEST_CASE("a motor that runs has its reserve of voltage as an implied limit, at 
     CAPTURE(voltage);
     const optim::Evaluation at = problem.evaluate(std::vector<double>{voltage, 160, 0.5e-3}, true);
     REQUIRE(at.ok());
-    // The goal, the limit, and the reserves of both.
-    REQUIRE(at.values.size() == 4);
-    CHECK(at.values[2] ==
+    // The goal, the limit, the largest torque, and the reserves of both.
+    REQUIRE(at.values.size() == 5);
+    CHECK(at.values[3] ==
           Approx(reserve(voltage, {Metric::voltage_reserve_at, Argument::torque, 0.4}))
               .epsilon(1e-12));  // the same sums
-    CHECK(at.values[3] == Approx(reserve(voltage, {Metric::voltage_reserve_at, Argument::speed,
+    CHECK(at.values[4] == Approx(reserve(voltage, {Metric::voltage_reserve_at, Argument::speed,
                                                    60 * std::numbers::pi / 30}))
                               .epsilon(1e-12));
   }
