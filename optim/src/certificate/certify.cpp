@@ -21,8 +21,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kActivity =
-    1e-6;  // scaled slack of an active limit; then its complementarity is checked
 constexpr double kShallow = 1e-4;  // of the Hessian: curvature that a step of 1e-2 may outrun
 // Relative to the Hessian and to the gradient: curvature above the error of the differences, and clearly so.
 constexpr double kZero = 1e-6;

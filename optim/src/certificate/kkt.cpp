@@ -37,6 +37,16 @@ void add_limits(KktPoint& point, const Session& session, const Scaling& scaling,
   if (std::isfinite(c.upper)) add(Side::upper, c.upper, s * (value - c.upper));
 }
 
+void flatten_inactive(KktPoint& point, std::size_t objectives) {
+  std::vector<bool> inactive(static_cast<std::size_t>(point.jacobian.rows()) - objectives, true);
+  for (const Limit& limit : point.limits)
+    if (!(limit.slack > kActivity)) inactive[limit.constraint] = false;
+  for (std::size_t i = 0; i < inactive.size(); ++i) {
+    auto row = point.jacobian.row(static_cast<Index>(objectives + i));
+    if (inactive[i] && !row.allFinite()) row.setZero();
+  }
+}
+
 void place_in_range(KktPoint& point, const Problem& problem, const Scaling& scaling) {
   for (std::size_t k = 0; k < scaling.size(); ++k) {
     const double below = point.unit[k] - scaling.lower()[k];
@@ -108,6 +118,7 @@ std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
   place_in_range(point, problem, scaling);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
     add_limits(point, session, scaling, i);
+  flatten_inactive(point, problem.objectives.size());
   point.violation = relative_violation(problem, point.evaluation, point.design,
                                        session.options().feasibility_tolerance);
   return point;

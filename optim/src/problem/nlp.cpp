@@ -78,8 +78,18 @@ bool Nlp::fill(const Evaluation& e, std::span<const double> z, bool gradient) {
   if (gradient) {
     row_gradient(formulation_.objective, e, value_.df.data());
     for (std::size_t i = 0; i < rows(); ++i) row_gradient(row(i), e, value_.dc.data() + i * size());
+    flatten_kept();
   }
   return usable(gradient);
+}
+
+// A limit that the design keeps may have no derivative there, as where a wave ends. It does not bind, so it counts as flat.
+void Nlp::flatten_kept() {
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const std::span slopes(value_.dc.data() + i * size(), size());
+    const bool kept = row(i).lower < value_.c[i] && value_.c[i] < row(i).upper;
+    if (kept && !std::ranges::all_of(slopes, can_be_reckoned_with)) std::ranges::fill(slopes, 0.0);
+  }
 }
 
 bool Nlp::usable(bool gradient) const {

@@ -109,6 +109,7 @@ class Nlp {
 
  private:
   bool fill(const Evaluation& e, std::span<const double> z, bool gradient);
+  void flatten_kept();
   bool usable(bool gradient) const;
   double row_value(const LinearForm& row, const Evaluation& e, std::span<const double> z) const;
   void row_gradient(const LinearForm& row, const Evaluation& e, double* out) const;

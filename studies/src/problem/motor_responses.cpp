@@ -29,10 +29,12 @@ class EndlessGoal : public InputError {
 
 }  // namespace
 
-CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied)
+CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied,
+                                           RunningReserves running)
     : problem_(std::move(problem)),
       varied_(varied_parameters(problem_)),
       implied_(std::move(implied)),
+      running_(running),
       responses_(asked(problem_)) {
   for (const ImpliedLimit& limit : implied_)
     if (!limit.orders_friction()) responses_.push_back(limit.limit.metric);
@@ -136,9 +138,11 @@ CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& m
                                                             bool gradient) const {
   Numbers numbers = values_of(motor, evaluator_, gradient);
   const bool lacks = lacks_values(numbers);
+  const bool asked =
+      lacks ? gradient : running_ == RunningReserves::computed && !has_static_excess(motor);
   Numbers reserves(responses_.size() - metrics_);
   for (MetricDerivative& one : reserves) one.value.value = kSomeReserve;
-  if (!reserves.empty() && (lacks ? gradient : !has_static_excess(motor))) {
+  if (!reserves.empty() && asked) {
     Numbers found = values_of(motor, reserves_, gradient);
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k].value.status == MetricStatus::ok && found[k].value.value < kSomeReserve)
@@ -237,10 +241,10 @@ void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
   evaluation.kinks.push_back({response, variable, optim::Slope::one_sided, left, right});
 }
 
-MotorResponses::MotorResponses(DesignProblem problem)
+MotorResponses::MotorResponses(DesignProblem problem, RunningReserves running)
     : problem_(std::move(problem)), implied_(implied_limits(problem_)) {
   for (DesignProblem& one : combinations(problem_))
-    combinations_.emplace_back(std::move(one), implied_);
+    combinations_.emplace_back(std::move(one), implied_, running);
 }
 
 optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {

@@ -9,11 +9,16 @@
 
 namespace twum::studies {
 
+/// The reserves of voltage that a motor under a fixed drive has where it runs: computed, so that a search sees how near its end is,
+/// or taken as large, for motors that are only counted.
+enum class RunningReserves : unsigned char { computed, large };
+
 /// Responses of a motor and their Jacobian for one combination of sets.
 class CombinationResponses {
  public:
   /// @param implied  implied limits of the whole question, the same for each combination
-  CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied);
+  CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied,
+                       RunningReserves running);
 
   /// @param design  values of the variables
   optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
@@ -37,6 +42,7 @@ class CombinationResponses {
   DesignProblem problem_;
   VariedParameters varied_;
   std::vector<ImpliedLimit> implied_;
+  RunningReserves running_;
   // all except the order of the friction coefficients, which comes last
   std::vector<MetricExpression> responses_;
   std::size_t metrics_;            // of these, before the reserves of a fixed drive
@@ -50,7 +56,8 @@ optim::Problem posed_problem(const DesignProblem& problem);
 /// The evaluator of motor_problem(): selects the combination of a design and computes its responses.
 class MotorResponses {
  public:
-  explicit MotorResponses(DesignProblem problem);
+  explicit MotorResponses(DesignProblem problem,
+                          RunningReserves running = RunningReserves::computed);
 
   optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
 

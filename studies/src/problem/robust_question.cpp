@@ -85,11 +85,11 @@ std::vector<DesignVariable> built_variables(const RobustQuestion& question) {
 // Responses of built motors, all at once, or a single one, which costs less.
 class BuiltMotors {
  public:
-  explicit BuiltMotors(DesignProblem asked) : all_(asked) {
+  explicit BuiltMotors(DesignProblem asked) : all_(asked, RunningReserves::large) {
     const auto one = [&](MotorLimit limit) {
       DesignProblem alone = asked;
       alone.limits = {std::move(limit)};
-      alone_.emplace_back(std::move(alone));
+      alone_.emplace_back(std::move(alone), RunningReserves::large);
     };
     for (const MotorLimit& limit : asked.limits) one(limit);
     for (const ImpliedLimit& limit : all_.implied())
