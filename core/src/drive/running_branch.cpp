@@ -20,47 +20,48 @@ std::optional<ForceExtremum> lowest_hold(const Vector<ForceExtremum>& extrema) {
   return least;
 }
 
+bool runs_at_rest(const Vector<ForceExtremum>& extrema, const CurveNode& wave) {
+  const auto passed = [&](const ForceExtremum& e) {
+    return e.maximum && e.amplitude < wave.amplitude;
+  };
+  return wave.stable() &&
+         (wave.behind || extrema.empty() || std::any_of(extrema.begin(), extrema.end(), passed));
+}
+
 }  // namespace
 
+// Larger waves that are not held at rest may be at some speed.
+bool RunningBranch::begins_at_rest(const Vector<ForceExtremum>& at_rest, const CurveNode* largest) {
+  const auto is_hold_beyond = [&](const ForceExtremum& e) {
+    return !e.maximum && e.amplitude > largest->amplitude;
+  };
+  return largest && runs_at_rest(at_rest, *largest) &&
+         std::none_of(at_rest.begin(), at_rest.end(), is_hold_beyond);
+}
+
 RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
-                             const CurveNode* largest, bool with_dead)
+                             const CurveNode* largest, bool with_dead, std::optional<double> only)
     : waves_(waves), at_rest_(at_rest.extrema()) {
   if (!(waves.drive() > 0)) return;
-  const bool running = largest && runs_at_rest(*largest);
   const auto hold = lowest_hold(at_rest_);
-  const bool largest_runs = running && !has_hold_beyond(*largest);
+  const bool largest_runs = begins_at_rest(at_rest_, largest);
   const double amplitude = largest_runs ? largest->amplitude : largest_amplitude(waves);
   const double crest = waves.crest_speed_per_amplitude();
   unit_ = crest * (hold && !largest_runs ? hold->amplitude : amplitude);
   fastest_ = kRules.fastest * crest * amplitude;
   if (!(unit_ > 0) || !std::isfinite(fastest_)) return;
-  if (running) trace(*largest, 0);
+  if (largest && runs_at_rest(at_rest_, *largest)) trace(*largest, 0);
   if (with_dead)
     for (const CurveNode& wave : at_rest.held())
       if (wave.rise > 0) trace(wave, 0);
-  if (!largest_runs || ends_in_gap()) search(at_rest);
+  if (!largest_runs || ends_in_gap()) only ? trace_waves_of(line(*only), *only) : search();
   list_nodes();
-}
-
-bool RunningBranch::runs_at_rest(const CurveNode& wave) const {
-  const auto passed = [&](const ForceExtremum& e) {
-    return e.maximum && e.amplitude < wave.amplitude;
-  };
-  return wave.stable() &&
-         (wave.behind || at_rest_.empty() || std::any_of(at_rest_.begin(), at_rest_.end(), passed));
 }
 
 WaveCurve RunningBranch::curve(double lowest, double highest, double longest) const {
   return {ForcePlane::of_speed(waves_, unit_),
           {{-HUGE_VAL, lowest / unit_}, {HUGE_VAL, highest / unit_}},
           {longest, kRules.speed.steep, kRules.speed.settled, kRules.speed.states}};
-}
-
-// Larger waves that are not held at rest may be at some speed.
-bool RunningBranch::has_hold_beyond(const CurveNode& wave) const {
-  return std::any_of(at_rest_.begin(), at_rest_.end(), [&](const ForceExtremum& e) {
-    return !e.maximum && e.amplitude > wave.amplitude;
-  });
 }
 
 // Beyond the fastest wave known are speeds without a periodic state, and no wave within the longest leap.
@@ -76,19 +77,23 @@ const BranchPiece* RunningBranch::fastest_piece(bool running) const {
   return fastest;
 }
 
+// H at a speed, over the amplitudes of waves that drive.
+ForceLine RunningBranch::line(double speed) const {
+  const auto hold = lowest_hold(at_rest_);
+  const double full = waves_.full_contact_amplitude(),
+               lowest = kRules.smallest_running * (hold ? std::fmin(full, hold->amplitude) : full);
+  return {waves_, speed, lowest, largest_amplitude(waves_), ForceLine::Jumps::at_drive};
+}
+
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
 // holds a wave there.
-void RunningBranch::search(const ForceLine& at_rest) {
-  Vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest.extrema())};
-  const double full = waves_.full_contact_amplitude(),
-               lowest = kRules.smallest_running *
-                        (holds[0] ? std::fmin(full, holds[0]->amplitude) : full);
+void RunningBranch::search() {
+  Vector<std::optional<ForceExtremum>> holds{lowest_hold(at_rest_)};
   const double step = fastest_ / kRules.speeds;
   for (int i = 1; i <= kRules.speeds; ++i) {
-    const ForceLine line(waves_, i * step, lowest, largest_amplitude(waves_),
-                         ForceLine::Jumps::at_drive);
-    trace_waves_of(line, i * step);
-    holds.push_back(lowest_hold(line.extrema()));
+    const ForceLine there = line(i * step);
+    trace_waves_of(there, i * step);
+    holds.push_back(lowest_hold(there.extrema()));
   }
   const auto force = [&](std::size_t i) { return holds[i] ? holds[i]->force : HUGE_VAL; };
   for (std::size_t i = 1; i + 1 < holds.size(); ++i) {
@@ -201,7 +206,7 @@ bool RunningBranch::known(double speed, double amplitude) const {
 // its fold is the minimum of H.
 bool RunningBranch::runs(const Vector<CurveNode>& nodes) const {
   const CurveNode &first = nodes.front(), &last = nodes.back();
-  if (first.parameter == 0) return runs_at_rest(first);
+  if (first.parameter == 0) return runs_at_rest(at_rest_, first);
   if (first.fold && first.at.x < nodes[1].at.x) return true;
   if (last.fold && last.at.x < nodes.end()[-2].at.x) return true;
   return std::any_of(nodes.begin(), nodes.end(),

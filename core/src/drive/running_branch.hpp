@@ -20,8 +20,14 @@ class RunningBranch {
   /// @param at_rest    H at rest
   /// @param largest    wave there, null if there is none
   /// @param with_dead  the dead branch is followed too
+  /// @param only       if no wave runs at rest, waves are searched at this speed alone: of those that run elsewhere nothing is known
   RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, const CurveNode* largest,
-                bool with_dead);
+                bool with_dead, std::optional<double> only = {});
+
+  /// True if the running branch begins with this wave at rest, and there is no larger one at any speed.
+  /// @param at_rest  extrema of H there
+  /// @param largest  wave there, null if there is none
+  static bool begins_at_rest(const Vector<ForceExtremum>& at_rest, const CurveNode* largest);
 
   bool exists() const { return !nodes_.empty(); }
   /// Waves of the running branch, by rising speed.
@@ -31,6 +37,8 @@ class RunningBranch {
   /// Where the curve ends and the motor pulls out; null if it goes on to rest.
   const CurveNode* pull_out() const;
 
+  /// True if a running wave is known at a speed.
+  bool covers(double speed) const { return about(speed, true).piece != nullptr; }
   /// The motor under the wave of the running or the dead branch at a speed; its status says why there is none.
   MotorPoint at(double speed, bool running) const;
   /// True if a wave is one of the running branch or of another running one, false if not; nothing where no curve was followed.
@@ -39,10 +47,10 @@ class RunningBranch {
  private:
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
-  bool has_hold_beyond(const CurveNode& wave) const;
   bool ends_in_gap() const;
   const BranchPiece* fastest_piece(bool running) const;
-  void search(const ForceLine& at_rest);
+  void search();
+  ForceLine line(double speed) const;
   void search_island(double near, double step, ForceExtremum hold);
   void trace_waves_of(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);
@@ -50,7 +58,6 @@ class RunningBranch {
   void add_pieces(Vector<CurveNode> nodes, std::optional<bool> running);
   bool known(double speed, double amplitude) const;
   bool passes(const BranchPiece& piece, double speed, double amplitude) const;
-  bool runs_at_rest(const CurveNode& wave) const;
   bool runs(const Vector<CurveNode>& nodes) const;
   void list_nodes();
 

@@ -243,6 +243,7 @@ std::optional<CurveNode> WaveCurve::on_curve(PlanePoint p, const WarmStart& star
     ForcePlane::Value v = value(p, &from, exact ? kRules.slope_states : states);
     if (!v.ok()) return {};
     const PlanePoint step = step_of(v, Correction::at_its_x);
+    if (!std::isfinite(step.y)) return {};  // on a plateau H does not depend on the speed
     if (exact || std::fabs(step.y) <= settled) return plane_.node(std::move(v), p, step);
     from = moved(v.start(), v.wave.states, 0, plane_.rate(p.y) * step.y);
     p.y += step.y;

@@ -51,6 +51,20 @@ bool follows_wave(const MotorDesign& design, const LoadPoint& load) {
          (load.argument == Argument::torque || load.argument == Argument::speed);
 }
 
+std::unique_ptr<const FollowedCurve> FollowedCurve::at_speed(const WavesAtRest& at_rest,
+                                                             double speed) {
+  const DrivenWaves& waves = at_rest.waves();
+  // Where H jumps, pieces are found from pieces beside them.
+  if (!(speed >= 0) || waves.has_static_excess() ||
+      RunningBranch::begins_at_rest(at_rest.extrema(), at_rest.largest()))
+    return {};
+  const RunningBranch branch(waves, at_rest.line(), at_rest.largest(), false, speed);
+  if (!branch.covers(speed)) return {};
+  MotorPoint found = branch.at(speed, true);
+  if (found.solved.status != PointStatus::ok) return {};
+  return std::unique_ptr<const FollowedCurve>(new FollowedCurve(std::move(found), speed));
+}
+
 std::unique_ptr<const FollowedCurve> FollowedCurve::from(const MotorDesign& design,
                                                          const LoadPoint& load,
                                                          const LoadWave& near) {

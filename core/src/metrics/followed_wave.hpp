@@ -2,7 +2,7 @@
 #pragma once
 
 #include "curve/curve.hpp"
-#include "drive/driven_wave.hpp"
+#include "drive/drive.hpp"
 #include "heat/heat_state.hpp"
 
 #include <twum/core/load.hpp>
@@ -23,6 +23,10 @@ class FollowedCurve final : public Curve {
   /// lead straight to a wave that is stable, and at a torque to a speed that is.
   static std::unique_ptr<const FollowedCurve> from(const MotorDesign& design, const LoadPoint& load,
                                                    const LoadWave& near);
+
+  /// The point at a speed of a motor whose running wave is not met at rest: the waves of that speed alone are searched, in place of
+  /// those of all speeds. Null where this does not tell the running branch from others.
+  static std::unique_ptr<const FollowedCurve> at_speed(const WavesAtRest& at_rest, double speed);
 
   double speed() const { return begin(); }
   const MotorPoint& found() const { return found_; }

@@ -68,6 +68,21 @@ bool is_of_motion(const MetricRequest& request) {
   return info(request.metric).needs_motion && !request.warm_at && !request.worn_at;
 }
 
+// The speed of all requests that need the running wave, if it is one, and they are about its point.
+std::optional<double> only_speed(const Motor& motor, std::span<const MetricRequest> requests) {
+  const Stator& stator = motor.design().stator;
+  if (!stator.voltage || stator.branch != Branch::running) return {};
+  std::optional<double> speed;
+  for (const MetricRequest& r : requests) {
+    const bool elsewhere = is_wear(r) || is_heat(r) || is_held(r) || is_of_motion(r) ||
+                           needs_no_wave(r.metric) || needs_no_running_wave(r.metric);
+    if (elsewhere) continue;
+    if (r.argument != Argument::speed || speed.value_or(r.at) != r.at) return {};
+    speed = r.at;
+  }
+  return speed;
+}
+
 // Lives of a track that wears freely need the integrator of motions; its rate when new does not.
 bool is_of_free_life(const MotorDesign& design, const MetricRequest& request) {
 #ifdef __wasm__  // the page has no lives
@@ -92,9 +107,12 @@ template <typename Answers, typename Answer>
 class Parts {
  public:
   template <typename... More>
-  explicit Parts(const Motor& motor, More... more)
+  Parts(const Motor& motor, std::span<const MetricRequest> requests, More... more)
       : motor_(motor),
+        only_speed_(only_speed(motor, requests)),
         make_([=](const Motor& m, std::optional<Answers>& to) { to.emplace(m, more...); }),
+        make_at_([=](const Motor& m, std::unique_ptr<const FollowedCurve> known,
+                     std::optional<Answers>& to) { to.emplace(m, std::move(known), more...); }),
         make_at_rest_([=](const Motor& m, std::optional<Answers>& to) {
           to.emplace(m, std::make_unique<const RestCurve>(*MotorParts::at_rest(m)), more...);
         }) {}
@@ -117,14 +135,20 @@ class Parts {
       if (!of_rest_) make_at_rest_(motor_, of_rest_);
       return ask(*of_rest_);
     }
-    if (!of_motor_) make_(motor_, of_motor_);
-    return ask(*of_motor_);
+    return ask(of_motor());
   }
 
  private:
   template <typename Part, typename Of>
   static Part& made(std::optional<Part>& part, const Of& of) {
     return part ? *part : part.emplace(of);
+  }
+  Answers& of_motor() {
+    if (of_motor_) return *of_motor_;
+    auto known =
+        only_speed_ ? FollowedCurve::at_speed(*MotorParts::at_rest(motor_), *only_speed_) : nullptr;
+    known ? make_at_(motor_, std::move(known), of_motor_) : make_(motor_, of_motor_);
+    return *of_motor_;
   }
   MotionMetrics& of_motions() {
     if (!motion_) motion_ = make_motion_metrics(motor_.design());
@@ -137,7 +161,11 @@ class Parts {
   std::optional<WearMetrics> wear_;
   WithoutMotions no_motions_;
   std::unique_ptr<MotionMetrics> motion_;
-  std::function<void(const Motor&, std::optional<Answers>&)> make_, make_at_rest_;
+  std::optional<double> only_speed_;
+  std::function<void(const Motor&, std::optional<Answers>&)> make_;
+  std::function<void(const Motor&, std::unique_ptr<const FollowedCurve>, std::optional<Answers>&)>
+      make_at_;
+  std::function<void(const Motor&, std::optional<Answers>&)> make_at_rest_;
   std::optional<Motor> still_;
   std::optional<Answers> of_motor_, of_still_, of_rest_;
 };
@@ -156,7 +184,7 @@ namespace {
 void evaluate_into(std::span<MetricValue> values, const Motor& motor,
                    std::span<const MetricRequest> requests) {
   const HeldTraps traps;
-  Parts<Evaluator, MetricValue> parts(motor);
+  Parts<Evaluator, MetricValue> parts(motor, requests);
   for (std::size_t i = 0; i < requests.size(); ++i)
     values[i] = parts.answer(requests[i], [&](auto& to) { return to.evaluate(requests[i]); });
 }
@@ -201,7 +229,7 @@ std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
   const HeldTraps traps;
-  Parts<Differentiator, MetricDerivative> parts(motor, fixed_static_friction);
+  Parts<Differentiator, MetricDerivative> parts(motor, requests, fixed_static_friction);
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
   for (const MetricRequest& request : requests)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/drive.hpp"
+#include "metrics/motor_curve.hpp"
 #include "random_contact.hpp"
 #include "random_ring.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <twum/core/metrics.hpp>
+#include <twum/core/motor.hpp>
 
 #include <cmath>
 
@@ -112,6 +114,49 @@ TEST_CASE("a branch goes on beyond speeds without a periodic state (D2.8)",
 TEST_CASE("no wave that drives is missed by the curves of a thousand motors (D2.8)",
           "[.long][core][driven][brute_force]") {
   no_wave_of_motors_is_missed(1000, 60, 8);
+}
+
+namespace {
+
+// Points of the whole curve come from Motor::operating_point(). Motors with mu_0 > mu are always followed as a whole.
+void one_speed_tells_what_the_curve_does(int motors) {
+  Dice dice(644);
+  int from_rest = 0, others = 0;
+  for (int i = 0; i < motors; ++i) {
+    MotorDesign design = random_ring(dice, i);
+    if (i % 10 == 9) design.stator.radial_slices = 8;
+    if (design.friction.threshold > design.friction.kinetic) continue;
+    const Motor motor(design);
+    const DrivenWaves waves = Drive::waves_of(design);
+    const double fastest = waves.crest_speed_per_amplitude() * largest_amplitude(waves);
+    const bool at_rest = motor.operating_point(0.0).status == PointStatus::ok;
+    for (int k = 0; k < 8; ++k) {
+      const double speed = fastest * (k - 0.2) / 6;
+      const MetricValue one = evaluate(motor, {Metric::torque_at, Argument::speed, speed});
+      const OperatingPoint of_curve = motor.operating_point(speed);
+      CAPTURE(i, speed);
+      CHECK(one.status == metric_status(of_curve.status));
+      if (one.status != MetricStatus::ok) continue;
+      // The amplitude is right to 1e-12, and the torque of a motor is at most some hundred times as sensitive.
+      CHECK(one.value ==
+            Approx(of_curve.torque).epsilon(1e-9).margin(1e-10 * motor.holding_torque()));
+      ++(at_rest ? from_rest : others);
+    }
+  }
+  CHECK(from_rest > motors / 2);
+  CHECK(others > motors / 2);
+}
+
+}  // namespace
+
+TEST_CASE("a point metric of one speed is that of the whole curve (D2.8)",
+          "[core][driven][identity]") {
+  one_speed_tells_what_the_curve_does(120);
+}
+
+TEST_CASE("a point metric of one speed is that of the whole curve, for a thousand motors (D2.8)",
+          "[.long][core][driven][identity]") {
+  one_speed_tells_what_the_curve_does(1000);
 }
 
 TEST_CASE("thresholds put back give the voltage (D3.2, D3.4)", "[core][driven][identity]") {
