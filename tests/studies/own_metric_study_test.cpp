@@ -170,5 +170,6 @@ TEST_CASE("what is wrong about an own metric in a study is said", "[studies][own
   CHECK_THROWS_WITH(validate(asking(two)), Contains("two metrics of this name"));
   OptimizeStudy twice = cheap("grip >= 600 N.mm");
   twice.constraints.push_back(twice.constraints[0]);
-  CHECK_THROWS_WITH(validate(asking(twice)), Contains("study.constraints: 'grip >= 600 N.mm' is given twice"));
+  CHECK_THROWS_WITH(validate(asking(twice)),
+                    Contains("study.constraints: 'grip >= 600 N.mm' is given twice"));
 }

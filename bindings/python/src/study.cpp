@@ -187,14 +187,16 @@ void add_study(py::module_& module) {
   module.def(
       "check_entries", &check_entries, py::arg("study"), py::arg("motor"), py::arg("metrics"),
       py::arg("settings"),
-      "check_entries(study, motor, metrics, settings)\n--\n\nReads a study given as a dictionary, and the "
+      "check_entries(study, motor, metrics, settings)\n--\n\nReads a study given as a dictionary, "
+      "and the "
       "files that it names, without running it; an error says everything that is wrong. Notes on "
       "what was read.");
-  module.def("run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("metrics"),
-             py::arg("directory"), py::arg("settings"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
-             py::arg("stop"),
-             "run_entries(study, motor, metrics, directory, settings, jobs, fresh, progress, stop)\n--\n\n"
-             "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
+  module.def(
+      "run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("metrics"),
+      py::arg("directory"), py::arg("settings"), py::arg("jobs"), py::arg("fresh"),
+      py::arg("progress"), py::arg("stop"),
+      "run_entries(study, motor, metrics, directory, settings, jobs, fresh, progress, stop)\n--\n\n"
+      "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
 }
 
 }  // namespace twum::python

@@ -35,8 +35,8 @@ class Collector {
 
  private:
   void keep(const std::shared_ptr<const OwnMetric>& own) {
-    const auto same = std::ranges::find_if(
-        found_, [&](const auto& known) { return known->name == own->name; });
+    const auto same =
+        std::ranges::find_if(found_, [&](const auto& known) { return known->name == own->name; });
     if (same == found_.end())
       found_.push_back(own);
     else if ((*same)->unit != own->unit)

@@ -258,9 +258,9 @@ Term parse_term(std::string_view text, bool whole_text) {
   if (!parameter && own == nullptr) unknown_name(name, 0);
   if (parameter && !whole_text) refuse_symbol(info(*parameter), name);
   if (open != std::string_view::npos) {
-    throw ValueError(quoted(name) + (parameter ? " is a parameter and" : "") +
-                         " takes nothing in parentheses",
-                     "write it without parentheses", open);
+    throw ValueError(
+        quoted(name) + (parameter ? " is a parameter and" : "") + " takes nothing in parentheses",
+        "write it without parentheses", open);
   }
   if (own != nullptr) return own;
   return *parameter;
@@ -301,7 +301,8 @@ Dimension dimension_of(const Term& term) {
   }();
   if (const auto* request = std::get_if<MetricRequest>(&term))
     return metrics[static_cast<std::size_t>(request->metric)];
-  if (const auto* parameter = std::get_if<Parameter>(&term)) return parameters[index_of(*parameter)];
+  if (const auto* parameter = std::get_if<Parameter>(&term))
+    return parameters[index_of(*parameter)];
   return dimension_of_own(*std::get<OwnTerm>(term));
 }
 
