@@ -145,3 +145,24 @@ TEST_CASE("in a warm workspace all metrics of the curve take nothing from the he
   evaluate(motor, asked, values, workspace);
   CHECK(taken.load() == before);
 }
+
+TEST_CASE("in a warm workspace held points take nothing from the heap", "[core][metrics][work]") {
+  const MotorDesign design =
+      demanding_motor(GENERATE(range(0, 5)), GENERATE(1, 8, int{kAutoSlices}));
+  const Motor motor(design);
+  const double speed = 0.4 * motor.crest_speed();
+  int answered = 0;
+  for (const MetricInfo& row : metric_table()) {
+    const MetricRequest asked{row.metric, Argument::both, speed, 0.2};
+    if (row.needs_thermal || row.needs_operation || row.needs_wear || row.needs_motion) continue;
+    CAPTURE(row.name, design.stator.radial_slices, design.stator.voltage.has_value());
+    MetricValue value;
+    Workspace workspace;
+    evaluate(motor, {&asked, 1}, {&value, 1}, workspace);
+    const long before = taken.load();
+    evaluate(motor, {&asked, 1}, {&value, 1}, workspace);
+    CHECK(taken.load() == before);
+    answered += value.status == MetricStatus::ok;
+  }
+  CHECK(answered > 0);
+}

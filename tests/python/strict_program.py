@@ -47,6 +47,17 @@ preload: float = best.design["preload"]
 same: bool = best.motor == motor
 result = twum.run({"kind": "curve", "points": 11}, motor=motor, progress=tell)
 speeds = result.rows["speed"]
+text: twum.Json = result["curves"]
+cheapest = twum.run(
+    {"kind": "optimize", "minimize": "price", "variables": {"contact_width": {"min": 2e-3, "max": 6e-3}}},
+    motor=motor,
+    metrics={"price": twum.OwnMetric(cost, gradient=cost_slopes)},
+)
+found = cheapest["best"]
+assert found is not None
+width: float = found["design"]["contact_width"]
+settled: bool = found["certificate"]["passed"]
+seed: int = cheapest["seed"]
 print(torque, power, largest, preload, same, result.outcome, len(speeds))
 
 

@@ -42,6 +42,48 @@ class Study(unittest.TestCase):
         self.assertAlmostEqual(result["best"]["design"]["preload"], 0.53 / (0.2 * 0.0265), delta=1e-5)
         self.assertTrue(result["best"]["certificate"]["passed"])
 
+    def test_a_metric_of_the_program(self):
+        def grip(motor):
+            return 0.2 * motor.preload * motor.contact_radius
+
+        def slopes(motor):
+            return {"preload": 0.2 * motor.contact_radius, "contact_radius": 0.2 * motor.preload}
+
+        own = {**OPTIMIZE, "constraints": ["grip >= 530 N.mm"]}
+        study = twum.Study(own, motor=RING, metrics={"grip": twum.OwnMetric(grip, slopes, "N.m")})
+        study.check()
+        result = study.run()
+        self.assertEqual(result.outcome, "optimal")
+        self.assertAlmostEqual(result["best"]["design"]["preload"], 0.53 / (0.2 * 0.0265), delta=1e-5)
+        self.assertEqual(result["units"]["grip"], "N.m")
+        self.assertIn("grip", result.rows)
+        self.assertIn("grip", str(result))
+        with self.assertRaisesRegex(twum.InputError, "which a study file cannot have"):
+            study.run(self.folder / "out")
+        with self.assertRaisesRegex(twum.FileError, "unknown metric 'grip'"):
+            twum.run(own, motor=RING)
+
+    def test_a_metric_without_unit_and_slopes(self):
+        def cost(motor):
+            return 2 + motor.preload / 100
+
+        sweep = {**SWEEP, "metrics": ["cost", "holding_torque / cost"]}
+        rows = twum.run(sweep, motor=RING, metrics={"cost": cost}).rows
+        self.assertEqual(rows["cost"].tolist(), [3.0, 3.6, 4.2])
+
+    def test_what_a_metric_raises_reaches_the_caller(self):
+        def broken(motor):
+            raise KeyError("price list")
+
+        with self.assertRaises(KeyError):
+            twum.run({**OPTIMIZE, "minimize": "broken", "solver": "nlopt:sbplx"}, motor=RING, metrics={"broken": broken})
+
+        def none(motor):
+            raise twum.EvaluationError("not for sale")
+
+        result = twum.run({**SWEEP, "metrics": ["none"]}, motor=RING, metrics={"none": none})
+        self.assertEqual(set(result.rows["status"]), {"none: undefined"})
+
     def test_numbers_are_in_si_units(self):
         # The same study in texts and in numbers; a list, a range, an argument and a count among them.
         texts = {"kind": "sweep", "sampling": "grid", "metrics": ["holding_torque"],

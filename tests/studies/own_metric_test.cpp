@@ -144,14 +144,6 @@ TEST_CASE("an own metric is a limit of motors that scatter, and a goal", "[studi
   CHECK(own.design == ours.design);
 }
 
-TEST_CASE("a study, which is checked as a file is, refuses own metrics", "[studies][own]") {
-  SweepStudy sweep;
-  sweep.variables = {{.parameter = Parameter::contact_radius, .values = {20e-3, 25e-3}}};
-  sweep.metrics = {expression_of(area())};
-  CHECK_THROWS_WITH(run_study(StudyFile{.motor = {"m", {}}, .asked = sweep}, {.jobs = 1}),
-                    Contains("study.metrics[0]: unknown metric 'area'"));
-}
-
 TEST_CASE("an own metric has a name of its own, an SI unit and a value", "[studies][own]") {
   OwnMetric own = area();
   own.name = "peak_power";

@@ -3,6 +3,7 @@
 #include "classes.hpp"
 #include "conversions.hpp"
 #include "interruptible.hpp"
+#include "own_metric.hpp"
 #include "parts.hpp"
 #include "results/answers.hpp"
 #include "stored/stored_study.hpp"
@@ -17,6 +18,8 @@
 
 #include <mutex>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 namespace twum::python {
 namespace {
@@ -133,21 +136,38 @@ std::string study_text(const py::dict& study, const py::object& motor) {
          yaml_text(to_node({}, rest, studies::study_file_schema()), 0);
 }
 
+// A name, the function for its value, that for its gradient or None, and the unit.
+using OwnTuple = std::tuple<py::str, py::object, py::object, std::string>;
+
+std::vector<studies::OwnMetric> to_own_metrics(const std::vector<OwnTuple>& metrics,
+                                               const py::object& motor) {
+  const std::string of = py::isinstance<PyMotor>(motor) ? py::cast<const PyMotor&>(motor).name : "";
+  std::vector<studies::OwnMetric> list;
+  for (const auto& [name, value, gradient, unit] : metrics)
+    list.push_back(to_own_metric(value, name, gradient, unit, of));
+  return list;
+}
+
 studies::StudyFile read_entries(const py::dict& study, const py::object& motor,
+                                const std::vector<OwnTuple>& metrics,
                                 const std::vector<std::string>& settings) {
+  const studies::KnownMetrics known(to_own_metrics(metrics, motor));
   const studies::Source source("study", study_text(study, motor));
   return studies::read_study(source, {}, settings);
 }
 
 std::vector<std::string> check_entries(const py::dict& study, const py::object& motor,
+                                       const std::vector<OwnTuple>& metrics,
                                        const std::vector<std::string>& settings) {
-  return studies::study_notes(read_entries(study, motor, settings));
+  return studies::study_notes(read_entries(study, motor, metrics, settings));
 }
 
-py::tuple run_entries(const py::dict& study, const py::object& motor, const std::string& directory,
+py::tuple run_entries(const py::dict& study, const py::object& motor,
+                      const std::vector<OwnTuple>& metrics, const std::string& directory,
                       const std::vector<std::string>& settings, unsigned jobs, bool fresh,
                       const py::object& progress, const py::object& stop) {
-  return run(read_entries(study, motor, settings), {directory, jobs, fresh, progress, stop});
+  return run(read_entries(study, motor, metrics, settings),
+             {directory, jobs, fresh, progress, stop});
 }
 
 }  // namespace
@@ -165,15 +185,18 @@ void add_study(py::module_& module) {
              "study_text(study, motor)\n--\n\nThe text of a study file with the entries of a "
              "dictionary, of a Motor if `motor` is one.");
   module.def(
-      "check_entries", &check_entries, py::arg("study"), py::arg("motor"), py::arg("settings"),
-      "check_entries(study, motor, settings)\n--\n\nReads a study given as a dictionary, and the "
+      "check_entries", &check_entries, py::arg("study"), py::arg("motor"), py::arg("metrics"),
+      py::arg("settings"),
+      "check_entries(study, motor, metrics, settings)\n--\n\nReads a study given as a dictionary, "
+      "and the "
       "files that it names, without running it; an error says everything that is wrong. Notes on "
       "what was read.");
-  module.def("run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("directory"),
-             py::arg("settings"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
-             py::arg("stop"),
-             "run_entries(study, motor, directory, settings, jobs, fresh, progress, stop)\n--\n\n"
-             "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
+  module.def(
+      "run_entries", &run_entries, py::arg("study"), py::arg("motor"), py::arg("metrics"),
+      py::arg("directory"), py::arg("settings"), py::arg("jobs"), py::arg("fresh"),
+      py::arg("progress"), py::arg("stop"),
+      "run_entries(study, motor, metrics, directory, settings, jobs, fresh, progress, stop)\n--\n\n"
+      "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
 }
 
 }  // namespace twum::python

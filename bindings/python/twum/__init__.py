@@ -41,7 +41,8 @@ except ModuleNotFoundError as error:
     from ._missing import how_to_build
 
     raise ImportError(how_to_build()) from None
-from .results import Curve, Derivatives, Fields, Motion, Optimum, Plant, Study, StudyResult, read_result, run
+from .answers import Json
+from .results import Curve, Derivatives, Fields, Motion, Optimum, OwnMetric, Plant, Study, StudyResult, read_result, run
 
 __all__ = [
     "Curve",
@@ -53,10 +54,12 @@ __all__ = [
     "Fields",
     "FileError",
     "InputError",
+    "Json",
     "Motion",
     "Motor",
     "OperatingPoint",
     "Optimum",
+    "OwnMetric",
     "Plant",
     "StoreError",
     "Study",

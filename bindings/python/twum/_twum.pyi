@@ -6,6 +6,7 @@ from typing import Any, Callable, Iterable, List, Mapping, Protocol, Sequence, T
 import numpy as np
 from numpy.typing import NDArray
 
+from .answers import Json
 from .results import Curve, Derivatives, Fields, MetricRow, Motion, Optimum, ParameterRow, Plant, SolverRow
 
 _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
@@ -90,8 +91,8 @@ class Derivative:
 
 # A DataFrame, or another table of columns.
 class _Columns(Protocol):
-    def keys(self) -> Iterable[Any]: ...
-    def __getitem__(self, key: Any, /) -> Any: ...
+    def keys(self) -> Iterable[object]: ...
+    def __getitem__(self, key: Any, /) -> object: ...
 
 class Motor:
     # from the tables: begin
@@ -1291,7 +1292,9 @@ def gradients(
 ) -> dict[str, Derivatives]: ...
 def kept_html(directory: str) -> str: ...
 def study_text(study: dict[str, Any], motor: Any) -> str: ...
-def check_entries(study: dict[str, Any], motor: Any, settings: list[str]) -> list[str]: ...
+def check_entries(
+    study: dict[str, Any], motor: Any, metrics: list[tuple[str, Any, Any, str]], settings: list[str]
+) -> list[str]: ...
 def run_file(
     path: str,
     directory: str,
@@ -1300,14 +1303,15 @@ def run_file(
     fresh: bool,
     progress: _Progress | None,
     stop: _Stop | None,
-) -> tuple[dict[str, Any], str, str | None, str]: ...
+) -> tuple[Mapping[str, Json], str, str | None, str]: ...
 def run_entries(
     study: dict[str, Any],
     motor: Any,
+    metrics: list[tuple[str, Any, Any, str]],
     directory: str,
     settings: list[str],
     jobs: int,
     fresh: bool,
     progress: _Progress | None,
     stop: _Stop | None,
-) -> tuple[dict[str, Any], str, str | None, str]: ...
+) -> tuple[Mapping[str, Json], str, str | None, str]: ...

@@ -10,15 +10,17 @@ import os
 import pathlib
 import sys
 from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence, TypedDict
+from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Sequence, TypedDict, Union, cast, overload
 
 import numpy as np
 
 from . import _twum
+from .answers import Design, Estimate, FailureRegion, Goal, Json
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
     from numpy.typing import NDArray
+    from pandas import DataFrame  # type: ignore[import]
 
     Floats = NDArray[np.float64]
     Texts = NDArray[np.object_]
@@ -57,7 +59,7 @@ class Curve:
         """Whether the motor squeals at each speed; None where that is not known. Computed anew at each access."""
         return self.motor._squeals(self.speed)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> DataFrame:
         """The arrays as a DataFrame of pandas, a row for each speed."""
         arrays = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "motor"}
         return _frame({name: values for name, values in arrays.items() if values is not None})
@@ -92,7 +94,7 @@ class Fields:
         zones = ", ".join(state for state, _, _ in self.zones)
         return f"<twum.Fields of {self.motor!r}, {self.point!r}: {len(self.phase)} phases, zones {zones}>"
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> DataFrame:
         """The arrays as a DataFrame of pandas, a row for each phase."""
         return _frame({one.name: getattr(self, one.name) for one in fields(self)[2:-1]})
 
@@ -135,7 +137,7 @@ class Motion:
         """When an event such as 'held' happened first [s]; NaN if it did not."""
         return next((one["time"] for one in self.events if one["event"] == event), float("nan"))
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> DataFrame:
         """The arrays as a DataFrame of pandas, a row for each time."""
         return _frame(self.columns)
 
@@ -186,7 +188,7 @@ class Derivatives:
     def __getitem__(self, parameter: str) -> Floats:
         return self.gradient[_NAMES.get(parameter, parameter)]
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> DataFrame:
         """The value, its derivatives by name, smoothness and status as a DataFrame of pandas, a row for each design."""
         return _frame({"value": self.value, **self.gradient, "smoothness": self.smoothness, "status": self.status})
 
@@ -307,11 +309,24 @@ class Optimum:
     failures: dict[str, int]
 
 
+@dataclass(frozen=True)
+class OwnMetric:
+    """A metric that a function computes from a motor, for the `metrics` of a study.
+
+    `gradient` gives a dictionary from names of parameters to derivatives, in which those that are missing are 0. Without
+    it a search needs a solver without gradients. A function that raises EvaluationError has no value for that motor.
+    """
+
+    value: Callable[[_twum.Motor], float]
+    gradient: Callable[[_twum.Motor], Mapping[str, float]] | None = None
+    unit: str = "1"  # SI
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class StudyResult:
     """Result of a study: the content of summary.json, and the evaluations as arrays, SI units. print() says it in words."""
 
-    summary: dict[str, Any]
+    summary: Mapping[str, Json]
     rows: dict[str, NDArray[Any]]  # arrays by column name; 'status' holds texts
     text: str = ""  # the summary in words
     directory: "str | None" = None  # where the result is kept, if it is
@@ -321,7 +336,50 @@ class StudyResult:
     def outcome(self) -> str:
         return str(self.summary["outcome"])
 
-    def __getitem__(self, name: str) -> Any:
+    # A TypedDict is no Mapping[str, Json] for mypy.
+    @overload
+    def __getitem__(self, name: Literal["study", "kind", "motor", "outcome", "version", "started", "hash", "solver"]) -> str: ...
+
+    @overload
+    def __getitem__(self, name: Literal["evaluations", "seed"]) -> int: ...
+
+    @overload
+    def __getitem__(self, name: Literal["seconds", "residual_rms", "residual_sd", "hypervolume"]) -> float: ...
+
+    @overload
+    def __getitem__(self, name: Literal["model_notes", "variables_without_influence", "notes"]) -> list[str]: ...
+
+    @overload
+    def __getitem__(self, name: Literal["failures"]) -> dict[str, int]: ...
+
+    @overload
+    def __getitem__(self, name: Literal["units"]) -> dict[str, str]: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["failure_regions"]) -> list[FailureRegion]: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["objective"]) -> Goal: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["objectives"]) -> list[Goal]: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["best"]) -> Design | None: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["front"]) -> list[Design]: ...
+
+    @overload
+    def __getitem__(self, name: Literal["metrics"]) -> dict[str, Mapping[str, Json]]: ...
+
+    @overload  # type: ignore[misc]
+    def __getitem__(self, name: Literal["estimates"]) -> dict[str, Estimate]: ...
+
+    @overload
+    def __getitem__(self, name: str) -> Json: ...
+
+    def __getitem__(self, name: str) -> object:
         return self.summary[name]
 
     def __repr__(self) -> str:
@@ -331,7 +389,7 @@ class StudyResult:
     def __str__(self) -> str:
         return self.text or repr(self)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> DataFrame:
         """The evaluations as a DataFrame of pandas, columns in SI units."""
         return _frame(self.rows)
 
@@ -341,8 +399,11 @@ class StudyResult:
         return _twum.kept_html(self.directory)
 
 
-def _frame(columns: Mapping[str, Any]) -> Any:
-    import pandas  # type: ignore[import]
+OwnMetrics = Mapping[str, Union[OwnMetric, Callable[["_twum.Motor"], float]]]
+
+
+def _frame(columns: Mapping[str, Any]) -> DataFrame:
+    import pandas
 
     return pandas.DataFrame(dict(columns))
 
@@ -369,7 +430,7 @@ def read_result(directory: str | os.PathLike[str]) -> StudyResult:
     """The result that a study has left in a directory."""
     folder = pathlib.Path(directory)
     try:
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = cast(Mapping[str, Json], json.loads((folder / "summary.json").read_text(encoding="utf-8")))
         return StudyResult(summary, _kept_rows(folder), directory=str(folder))
     except FileNotFoundError as error:
         raise _twum.InputError(f"{folder}: no result of a study; {pathlib.Path(error.filename).name} is missing") from None
@@ -377,7 +438,7 @@ def read_result(directory: str | os.PathLike[str]) -> StudyResult:
 
 def _settings(parameters: Mapping[str, Any]) -> list[str]:
     """Settings as the command line has them; numbers are SI."""
-    units = {row[key]: row["unit"] for row in _twum.parameter_table() for key in ("name", "symbol")}
+    units = {key: row["unit"] for row in _twum.parameter_table() for key in (row["name"], row["symbol"])}
 
     def text(name: str, value: Any) -> str:
         if isinstance(value, str):
@@ -409,11 +470,20 @@ def _entries(study: Mapping[str, Any], motor: Any) -> dict[str, Any]:
     return content
 
 
+def _own(metrics: OwnMetrics | None) -> list[tuple[str, Any, Any, str]]:
+    """Metrics by name, as the compiled part takes them."""
+    list_of = [
+        (name, one if isinstance(one, OwnMetric) else OwnMetric(one)) for name, one in (metrics or {}).items()
+    ]
+    return [(name, one.value, one.gradient, one.unit) for name, one in list_of]
+
+
 def run(
     study: str | os.PathLike[str] | Mapping[str, Any] | Study,
     directory: str | os.PathLike[str] | None = None,
     *,
     motor: Any = None,
+    metrics: OwnMetrics | None = None,
     set: Mapping[str, Any] | None = None,
     jobs: int = 0,
     fresh: bool = False,
@@ -424,7 +494,8 @@ def run(
 
     Numbers in a dictionary are in SI units, texts carry their unit; its paths are relative to the current folder.
     With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew. Without one it is
-    kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
+    kept in memory. `metrics` are functions of yours by their names in the study, OwnMetric where there is a unit or a
+    gradient; a study with them is kept in memory. `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
     known) and the best so far; True shows them in the notebook or on the terminal. Ctrl-C ends the run; `stop`, such as
     a threading.Event, ends it with the outcome 'interrupted' and the rows so far. FileError says everything that is wrong.
     """
@@ -432,9 +503,12 @@ def run(
     how = (folder, _settings(set or {}), jobs, fresh, progress, stop)
     if isinstance(study, Study):
         motor = study.motor if motor is None else motor
+        metrics = study.metrics if metrics is None else metrics
         study = study.entries
     if isinstance(study, Mapping):
-        summary, text, table, html = _twum.run_entries(_entries(study, motor), motor, *how)
+        summary, text, table, html = _twum.run_entries(_entries(study, motor), motor, _own(metrics), *how)
+    elif metrics:
+        raise _twum.InputError("metrics: a study file cannot have functions; give the study as a dictionary")
     elif motor is not None:
         raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
     else:
@@ -479,14 +553,15 @@ class Study:
         study.run("results/sweep").to_frame()
 
     Numbers are in SI units, texts carry their unit. `motor` is a Motor, the path of a motor file or a dictionary of its
-    entries. run() also runs the file of a study.
+    entries. `metrics` are functions of yours, as of run(), which also runs the file of a study.
     """
 
-    def __init__(self, entries: Mapping[str, Any], motor: Any = None) -> None:
+    def __init__(self, entries: Mapping[str, Any], motor: Any = None, metrics: OwnMetrics | None = None) -> None:
         if not isinstance(entries, Mapping):
             raise TypeError(f"study: expected a dictionary, not {type(entries).__name__}; twum.run() runs a study file")
         self.entries: dict[str, Any] = dict(entries)
         self.motor: Any = motor
+        self.metrics = metrics
 
     def __repr__(self) -> str:
         asked = self.entries.get("study", self.entries)
@@ -501,7 +576,9 @@ class Study:
 
         FileError says everything that is wrong.
         """
-        return _twum.check_entries(_entries(self.entries, self.motor), self.motor, _settings(set or {}))
+        return _twum.check_entries(
+            _entries(self.entries, self.motor), self.motor, _own(self.metrics), _settings(set or {})
+        )
 
     def run(self, directory: str | os.PathLike[str] | None = None, **how: Any) -> StudyResult:
         """Runs it as run() does, with the same arguments."""

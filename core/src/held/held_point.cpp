@@ -9,6 +9,7 @@
 #include <twum/base/no_value.hpp>
 #include <twum/core/parameters.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -259,10 +260,10 @@ double largest_held_torque(const MotorDesign& design) {
 }
 
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {
-  return with(design, std::vector<ParameterValue>{
-                          {Parameter::amplitude, held.amplitude},
-                          {Parameter::frequency, held.frequency},
-                          {Parameter::radial_slices, static_cast<double>(held.radial_slices)}});
+  return with(design, std::array<ParameterValue, 3>{
+                          {{Parameter::amplitude, held.amplitude},
+                           {Parameter::frequency, held.frequency},
+                           {Parameter::radial_slices, static_cast<double>(held.radial_slices)}}});
 }
 
 }  // namespace twum

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "design/workspace.hpp"
 #include "held/envelope.hpp"
 #include "held/least_voltage.hpp"
 #include "metrics/differentiator.hpp"
@@ -8,7 +9,6 @@
 
 #include <twum/core/metrics.hpp>
 
-#include <deque>
 #include <memory>
 #include <optional>
 
@@ -76,9 +76,9 @@ class HeldMetrics {
     double at;
     LeastVoltage found;
   };
-  std::deque<Known> known_;       // references stay valid
-  std::deque<KnownLeast> least_;  // likewise
-  std::deque<Slopes> slopes_;     // likewise
+  Deque<Known> known_;       // references stay valid
+  Deque<KnownLeast> least_;  // likewise
+  Deque<Slopes> slopes_;     // likewise
 };
 
 }  // namespace twum::core

@@ -342,6 +342,7 @@ void validate(const StudyFile& file) {
   Diagnostics diagnostics(source);
   try {
     require_motor(file.motor.design);
+    const KnownMetrics known(own_metrics(file.asked));
     YamlNode root = load_yaml(diagnostics);
     StudyText text;
     study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);

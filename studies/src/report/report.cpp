@@ -41,6 +41,7 @@ Json files_json(const StudyFile& study, const StudyResult& result) {
 
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
+  const KnownMetrics known(result.own_metrics);
   const MotorDesign& base = result.design;
   Json summary = summary_value(result);
   if (summary.contains("map")) summary["map"].erase("points");  // they are the rows

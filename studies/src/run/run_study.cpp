@@ -77,6 +77,16 @@ std::string files_text(const ResolvedStudy& study) {
   return text;
 }
 
+// The study in a directory is a file, which cannot hold a function.
+void refuse_own_metrics(const StudyFile& file) {
+  const OwnMetrics own = own_metrics(file.asked);
+  if (own.empty()) return;
+  throw InputError(
+      "study: " + quoted(own.front()->name) +
+      " is a metric of this program, which a study file cannot have; run the study in memory, "
+      "without a directory");
+}
+
 // A study in its directory.
 class KeptRun {
  public:
@@ -278,11 +288,14 @@ class KeptRun {
 StudyResult run_study(const StudyFile& file, const std::string& directory,
                       const RunOptions& options) {
   validate(file);
+  refuse_own_metrics(file);
   return KeptRun(file, directory, options).run();
 }
 
 StudyResult run_study(const StudyFile& file, const RunOptions& options) {
   validate(file);
+  const OwnMetrics own = own_metrics(file.asked);
+  const KnownMetrics known(own);
   const auto begin = Clock::now();
   const std::string started = utc_text(std::chrono::system_clock::now());
   const std::unique_ptr<StudyKindRun> kind = make_kind(file);
@@ -290,6 +303,7 @@ StudyResult run_study(const StudyFile& file, const RunOptions& options) {
   StudyResult result = run_on(file, *kind, *store, options);
   set_failures(result, failures_of(*kind, *store));
   result.rows = store;
+  result.own_metrics = own;
   result.hash = resolve(file).hash();
   result.started = started;
   result.seconds = seconds_since(begin);
@@ -314,7 +328,10 @@ std::string results_csv(const StudyResult& result) {
 }
 
 std::string report_html(const StudyFile& study, const StudyResult& result) {
-  return report_html(study, resolve(study).text(), result, rows_of(result));
+  std::string text = resolve(study).text();
+  for (const auto& own : result.own_metrics)
+    text += "# " + own->name + " [" + own->unit + "] is a metric of the program that asked.\n";
+  return report_html(study, text, result, rows_of(result));
 }
 
 }  // namespace twum::studies

@@ -118,6 +118,7 @@ std::string html(const std::vector<Section>& sections) {
 }
 
 std::string summary_html(const StudyResult& result, const Sources& sources) {
+  const KnownMetrics known(result.own_metrics);
   const Headline told = headline(result);
   std::string text =
       element("h3", harmless(told.title)) + html(told) + html(sections(result, sources));

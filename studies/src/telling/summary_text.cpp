@@ -65,6 +65,7 @@ std::string heading(const StudyResult& result, const telling::Headline& told) {
 }  // namespace
 
 std::string summary_text(const StudyResult& result, std::span<const std::string> said) {
+  const KnownMetrics known(result.own_metrics);
   const telling::Headline told = telling::headline(result);
   std::string text = heading(result, told) + "\n" + telling::terminal_text(told);
   const std::string said_of = telling::terminal_text(telling::sections(result));
@@ -83,6 +84,7 @@ std::string summary_markdown(const StudyResult& result) {
 namespace telling {
 
 std::string summary_markdown(const StudyResult& result, const Sources& sources) {
+  const KnownMetrics known(result.own_metrics);
   const Headline told = headline(result);
   const auto line = [](const std::string& words) { return markdown(Phrase{words}); };
   std::string text = "# " + line(result.study) + "\n\n" + line(told.title) + "\n\n" +

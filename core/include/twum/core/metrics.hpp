@@ -94,8 +94,9 @@ MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 /// @}
 
 /// The same in the memory of a workspace, with the values in an array of the caller's. In a workspace that is large enough metrics
-/// of the torque-speed curve take nothing from the heap, but for the exception inside of one that turns out to have no value.
-/// Held points, reserves of voltage, heat, wear and motions take some.
+/// of the torque-speed curve and of held points take nothing from the heap, but for the exception inside of one that turns out to
+/// have no value. Reserves of voltage, heat, wear and motions take some, and so do held points of a motor whose design holds lists,
+/// such as an operation.
 /// @param values  as many as there are requests
 /// @throws InputError for another number of values
 void evaluate(const Motor& motor, std::span<const MetricRequest> requests,

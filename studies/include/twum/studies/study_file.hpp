@@ -42,8 +42,13 @@ StudyFile read_study_file(const std::string& path, std::span<const std::string> 
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings = {});
 
+/// The metrics of the program that a study asks for, each name once.
+/// @throws InputError if two of one name have different units
+OwnMetrics own_metrics(const Study& study);
+
 /// Checks a study as read_study() checks a file, whether a program or a file made it; run_study() begins with this. The
-/// files that it names are read when it runs. Costs about a millisecond.
+/// files that it names are read when it runs. Costs about a millisecond. Metrics of the program are functions, which no
+/// file can hold: a study that asks for them is right, but run_study() refuses to keep it in a directory.
 /// @throws InputError with everything that is wrong, each with the name of its entry in a study file, such as
 ///         "study.variables.preload.max: ..."
 void validate(const StudyFile& file);

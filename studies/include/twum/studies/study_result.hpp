@@ -3,6 +3,7 @@
 
 #include <twum/io/column.hpp>
 #include <twum/io/result_store.hpp>
+#include <twum/motors/expression.hpp>
 #include <twum/studies/sample_results.hpp>
 #include <twum/studies/search_results.hpp>
 #include <twum/studies/study_file.hpp>
@@ -60,6 +61,8 @@ struct StudyResult {
   /// The evaluations of a run in memory: rows->read(...) visits them in their order, in SI. Null for a run in a directory,
   /// which keeps them in results.csv and results.db. Copies of the result share them.
   std::shared_ptr<const ResultStore> rows;
+  /// Metrics of the program that the study asked for; see own_metrics().
+  OwnMetrics own_metrics{};
 };
 
 /// The text of summary.json: SI, flat names. Except for times, the same byte for byte for any number of threads and

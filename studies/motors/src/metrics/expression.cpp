@@ -56,6 +56,7 @@ const char* argument_phrase(Argument argument) {
   const bool is_near_metric = !nearest(name, names).empty();
   if (!is_near_metric) {
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    for (const OwnTerm& own : known_metrics()) names.push_back(own->name);
   }
   const std::string remedy =
       nearest(name, names).empty()
@@ -253,12 +254,15 @@ Term parse_term(std::string_view text, bool whole_text) {
   if (const Aged* aged = find_aged(name)) return parse_aged(*aged, text, open);
   if (const auto metric = find_metric(name)) return parse_request(info(*metric), text, open);
   const auto parameter = find_parameter(name);
-  if (!parameter) unknown_name(name, 0);
-  if (!whole_text) refuse_symbol(info(*parameter), name);
+  OwnTerm own = parameter ? nullptr : find_known(name);
+  if (!parameter && own == nullptr) unknown_name(name, 0);
+  if (parameter && !whole_text) refuse_symbol(info(*parameter), name);
   if (open != std::string_view::npos) {
-    throw ValueError(quoted(name) + " is a parameter and takes nothing in parentheses",
-                     "write it without parentheses", open);
+    throw ValueError(
+        quoted(name) + (parameter ? " is a parameter and" : "") + " takes nothing in parentheses",
+        "write it without parentheses", open);
   }
+  if (own != nullptr) return own;
   return *parameter;
 }
 
@@ -266,7 +270,7 @@ Term parse_term(std::string_view text, bool whole_text) {
 bool find_term(std::string_view text) {
   const std::string_view name = trimmed(text.substr(0, text.find('(')));
   return find_aged(name) != nullptr || find_metric(name).has_value() ||
-         find_parameter(name).has_value();
+         find_parameter(name).has_value() || find_known(name) != nullptr;
 }
 
 // Place of a term in a list, to which it is added if it is new.
@@ -284,7 +288,7 @@ std::string_view unit_of(const Term& term) {
 }
 
 // Cached, because the units library serves one thread at a time.
-const Dimension& dimension_of(const Term& term) {
+Dimension dimension_of(const Term& term) {
   static const std::vector<Dimension> metrics = [] {
     std::vector<Dimension> list;
     for (const MetricInfo& row : metric_table()) list.emplace_back(row.unit);
@@ -297,7 +301,9 @@ const Dimension& dimension_of(const Term& term) {
   }();
   if (const auto* request = std::get_if<MetricRequest>(&term))
     return metrics[static_cast<std::size_t>(request->metric)];
-  return parameters[index_of(std::get<Parameter>(term))];
+  if (const auto* parameter = std::get_if<Parameter>(&term))
+    return parameters[index_of(*parameter)];
+  return dimension_of_own(*std::get<OwnTerm>(term));
 }
 
 std::string long_text(const Term& term, std::string_view reference) {

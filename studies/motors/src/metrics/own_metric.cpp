@@ -26,6 +26,38 @@ void require_own_name(const std::string& name) {
     throw InputError(quoted(name) + " is a metric or parameter of twum; use another name");
 }
 
+// Those that KnownMetrics has made known, the newest first.
+OwnMetrics& known() {
+  thread_local OwnMetrics metrics;
+  return metrics;
+}
+
+OwnMetrics shared(const std::vector<OwnMetric>& metrics) {
+  OwnMetrics list;
+  for (const OwnMetric& own : metrics)
+    list.push_back(std::get<OwnTerm>(expression_of(own).terms.front()));
+  return list;
+}
+
+}  // namespace
+
+const OwnMetrics& known_metrics() { return known(); }
+
+OwnTerm find_known(std::string_view name) {
+  const auto found =
+      std::ranges::find_if(known(), [&](const OwnTerm& own) { return own->name == name; });
+  return found == known().end() ? nullptr : *found;
+}
+
+KnownMetrics::KnownMetrics(const std::vector<OwnMetric>& metrics) : KnownMetrics(shared(metrics)) {}
+
+KnownMetrics::KnownMetrics(OwnMetrics metrics) : before_(known()) {
+  metrics.insert(metrics.end(), before_.begin(), before_.end());
+  known() = std::move(metrics);
+}
+
+KnownMetrics::~KnownMetrics() { known() = std::move(before_); }
+
 Dimension dimension_of_own(const OwnMetric& own) {
   if (own.unit == "1") return {};
   const Measure one = parse_measure("1 " + own.unit);
@@ -33,8 +65,6 @@ Dimension dimension_of_own(const OwnMetric& own) {
     throw InputError(own.name + ": its unit " + quoted(own.unit) + " is not an SI unit");
   return one.dimension;
 }
-
-}  // namespace
 
 MetricValue own_value(const OwnMetric& own, const Motor& motor) {
   try {

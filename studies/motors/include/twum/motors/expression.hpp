@@ -56,10 +56,33 @@ bool is_absolute(const MetricExpression& expression);
 
 /// The expression for a single parameter.
 MetricExpression expression_of(Parameter parameter);
-/// The expression for a program's own metric, for a DesignProblem or an ExpressionEvaluator. Studies refuse it, because they are
-/// checked as files are.
+/// The expression for a program's own metric.
 /// @throws InputError for a name that is none or that of a metric or parameter, an unknown unit, and without a value
 MetricExpression expression_of(OwnMetric metric);
+
+/// Metrics of a program, shared by the expressions that use them.
+using OwnMetrics = std::vector<std::shared_ptr<const OwnMetric>>;
+
+/// As long as it lives, parse_metric() and what reads limits and studies know metrics of the program by their names, on this
+/// thread:
+///
+///     const KnownMetrics known({cost});
+///     study.objective = {parse_metric("stall_torque / cost"), true};
+///     study.constraints = {parse_limit("cost <= 12")};
+class KnownMetrics {
+ public:
+  /// In addition to those that are known already; of equal names the newest counts.
+  /// @throws InputError as expression_of()
+  explicit KnownMetrics(const std::vector<OwnMetric>& metrics);
+  /// The same for metrics that expressions hold.
+  explicit KnownMetrics(OwnMetrics metrics);
+  ~KnownMetrics();
+  KnownMetrics(const KnownMetrics&) = delete;
+  KnownMetrics& operator=(const KnownMetrics&) = delete;
+
+ private:
+  OwnMetrics before_;
+};
 
 /// Reads one expression. A single parameter may be given by its symbol; in a formula it may not, because a symbol
 /// such as `h` could be a unit.
