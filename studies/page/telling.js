@@ -6,7 +6,7 @@ import {drawSqueals, logRange, paddedRange, scaled} from './chart.js';
 import {curves, data, rows, summary} from './data.js';
 import {bold, bullets, card, colour, el, sentence, svg} from './dom.js';
 import {figure, keepFocus} from './figure.js';
-import {drawGuides, drawLevel, drawPath, hatch} from './guides.js';
+import {drawDotted, drawGuides, drawLevel, drawPath, drawShaded, hatch} from './guides.js';
 import {drawLimits} from './limits.js';
 import {table} from './table.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
@@ -110,7 +110,7 @@ const signs = {
 };
 
 /** Entries of the key, each name once. */
-function legendOf(series, guides) {
+function legendOf(series, {guides, shaded = []}) {
   const list = series.flatMap(
       (s) =>
           [{name: s.name, colour: s.colour, kind: signs[s.stroke] ?? ''},
@@ -119,6 +119,7 @@ function legendOf(series, guides) {
   list.push(...series.map((s) => ({name: s.state, colour: of, kind: 'broad'})));
   if (guides.some((g) => g.kind === 'limit')) list.push({name: 'limit', colour: 'c1', kind: ''});
   if (guides.some((g) => g.kind === 'quantile' && g.text)) list.push({name: 'quantile', colour: 'ink', kind: 'dash'});
+  list.push(...shaded.map(({name}) => ({name, colour: 'faint', kind: 'area'})));
   return list.filter((e, i) => e.name && list.findIndex((o) => o.name === e.name) === i);
 }
 
@@ -198,6 +199,7 @@ export function draw(node, chart, more = {}) {
   const {series, lines: count, bands} = drawnSeries(list, grid, up.divisor);
   const x = scaled(grid, across.divisor);
   const marks = chart.marks.map((m) => ({...m, x: m.x / across.divisor, y: m.y / up.divisor, small: !m.text}));
+  const shaded = (chart.shaded ?? []).map((s) => ({from: s.from / across.divisor, to: s.to / across.divisor}));
   const bounds = chart.bounds.map((b) => ({...b, x: b.x / across.divisor, y: b.y / up.divisor}));
   const log = more.log ?? {};
   let ranges = [
@@ -209,7 +211,7 @@ export function draw(node, chart, more = {}) {
   ];
   if (chart.round) ranges = alike(ranges);
   const label = (axis, unit) => axis.name + (unit.text ? ' [' + unit.text + ']' : '');
-  const legend = legendOf(all, chart.guides);
+  const legend = legendOf(all, chart);
   const guides = chart.guides.filter((g) => g.kind !== 'level').map((g) => ({...g, at: g.at / across.divisor}));
   const levels = chart.guides.filter((g) => g.kind === 'level').map((g) => g.at / up.divisor);
   const divisors = {x: across.divisor, y: up.divisor};
@@ -227,6 +229,8 @@ export function draw(node, chart, more = {}) {
     height: chart.round ? 380 : more.height,
     ground: (u) => {
       if (chart.field) drawBands(u, chart.field, divisors);
+      drawShaded(u, shaded);
+      drawDotted(u, marks);
       levels.forEach((v) => drawLevel(u, v));
       if (chart.least !== null) hatch(u, ranges[0][0], chart.least / across.divisor);
       if (chart.most !== null) hatch(u, chart.most / across.divisor, ranges[0][1]);

@@ -100,8 +100,8 @@ Json axis_json(const Axis& axis) {
           {"high", number_json(axis.high)}};
 }
 
-constexpr const char* kStrokes[] = {"line",    "dashes",  "dots", "steps", "path",
-                                    "contour", "outline", "bars", "cells", "stack"};
+constexpr const char* kStrokes[] = {"line",    "dashes", "dots", "steps", "path", "contour",
+                                    "outline", "bars",   "area", "cells", "stack"};
 constexpr const char* kGuides[] = {"limit", "quantile", "level"};
 
 Json series_json(const Series& series) {
@@ -179,7 +179,10 @@ Json chart_json(const Chart& chart) {
                              {"y", mark.y},
                              {"text", written(mark.text, Writing::page)},
                              {"colour", mark.colour},
-                             {"dot", mark.dot}});
+                             {"dot", mark.dot},
+                             {"line", mark.line}});
+  for (const Stretch& one : chart.shaded)
+    json["shaded"].push_back({{"from", one.from}, {"to", one.to}, {"name", one.name}});
   if (!chart.field.levels.empty()) json["field"] = field_json(chart.field);
   return json;
 }
