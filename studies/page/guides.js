@@ -88,6 +88,12 @@ export function drawLevel(u, value) {
   u.ctx.fillRect(u.bbox.left, u.valToPos(value, 'y', true), u.bbox.width, devicePixelRatio);
 }
 
+/** The texts of levels, at the right. */
+export function nameLevels(u, levels, taken) {
+  for (const g of levels)
+    if (g.text) drawLabel(u, g.text, u.bbox.left + u.bbox.width, u.valToPos(g.at, 'y', true), taken, []);
+}
+
 /** Lines across the chart, limits named above quantiles. */
 export function drawGuides(u, guides, taken) {
   const ratio = devicePixelRatio;

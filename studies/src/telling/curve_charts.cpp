@@ -126,12 +126,14 @@ std::vector<Mark> power_marks(const MotorCurve& curve) {
   return {{speed, peak, {"peak power ", value_part(peak, "W", 3), " at ", speed_part(speed)}}};
 }
 
-// The marks of the curve asked for have texts, unless there are many; those of the others are dots alone.
+// The marks of the curve asked for have texts and lines, unless there are many; those of the others are dots alone.
 void add_marks(Chart& chart, Curves curves, std::vector<Mark> (*marks_of)(const MotorCurve&)) {
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (Mark& mark : marks_of(curves[i])) {
       if (!std::isfinite(mark.y) || mark.x < chart.x.low || mark.x > chart.x.high) continue;
-      if (curves.size() > 2 || i + 1 < curves.size()) mark.text.clear();
+      const bool told = curves.size() <= 2 && i + 1 == curves.size();
+      if (!told) mark.text.clear();
+      mark.line = mark.line && told;
       mark.colour = curves.size() > 1 ? colour_of(i) : "ink";
       chart.marks.push_back(std::move(mark));
     }

@@ -115,9 +115,10 @@ Chart response_chart(const FrequencyResult& answer, const Quantity& quantity) {
 
 // Of the load that is given the other number follows.
 Section responses(const FrequencyResult& answer) {
-  Section section{
-      {answer.members.size() == 1 ? "response" : "responses"},
-      {"Solid lines are stable waves, dashed lines unstable ones. The dot is the drive."}};
+  Section section{{answer.members.size() == 1 ? "response" : "responses"},
+                  {"Solid lines are stable waves, dashed lines unstable ones. The dots are the "
+                   "drive and, where "
+                   "there is one, the pull-out at a lower frequency."}};
   const std::string_view given = answer.load.given == Argument::speed ? "speed" : "torque";
   for (const Quantity& quantity : kResponses)
     if (quantity.column != given) section.charts.push_back(response_chart(answer, quantity));
