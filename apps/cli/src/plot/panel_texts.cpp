@@ -9,7 +9,7 @@ namespace twum::cli {
 namespace {
 
 // Size of the letters [points of the page].
-constexpr double kLetterWidth = 6.9, kLetterHeight = 18;
+constexpr double kLetterWidth = 6.9, kLetterHeight = 14;
 // Room about a text on a line, as letters are reckoned roughly.
 constexpr double kMargin = 5;
 
