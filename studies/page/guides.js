@@ -52,10 +52,46 @@ export function drawPath(u, {x, y, colour: name, stroke}) {
   u.ctx.restore();
 }
 
+/** Ranges of the horizontal axis, shaded. */
+export function drawShaded(u, stretches) {
+  const {left, top, width, height} = u.bbox;
+  const [from, to] =
+      ['from', 'to'].map((end) => (s) => Math.min(Math.max(u.valToPos(s[end], 'x', true), left), left + width));
+  u.ctx.save();
+  u.ctx.globalAlpha = 0.25;
+  u.ctx.fillStyle = colour('faint');
+  for (const s of stretches) u.ctx.fillRect(from(s), top, to(s) - from(s), height);
+  u.ctx.restore();
+}
+
+/** A dotted line across the chart at each of these marks. */
+export function drawDotted(u, marks) {
+  const {left, top, width, height} = u.bbox;
+  u.ctx.save();
+  u.ctx.setLineDash([devicePixelRatio, 3 * devicePixelRatio]);
+  u.ctx.strokeStyle = colour('soft');
+  u.ctx.lineWidth = devicePixelRatio;
+  for (const mark of marks.filter((m) => m.line)) {
+    const x = u.valToPos(mark.x, 'x', true);
+    if (x < left || x > left + width) continue;
+    u.ctx.beginPath();
+    u.ctx.moveTo(x, top);
+    u.ctx.lineTo(x, top + height);
+    u.ctx.stroke();
+  }
+  u.ctx.restore();
+}
+
 /** A level across the chart. */
 export function drawLevel(u, value) {
   u.ctx.fillStyle = colour('soft');
   u.ctx.fillRect(u.bbox.left, u.valToPos(value, 'y', true), u.bbox.width, devicePixelRatio);
+}
+
+/** The texts of levels, at the right. */
+export function nameLevels(u, levels, taken) {
+  for (const g of levels)
+    if (g.text) drawLabel(u, g.text, u.bbox.left + u.bbox.width, u.valToPos(g.at, 'y', true), taken, []);
 }
 
 /** Lines across the chart, limits named above quantiles. */

@@ -30,11 +30,12 @@ export function named(name) { return {text: plain(name), value: name, words: tru
 /** A cell with a value in an SI unit. */
 export function quantity(value, unit, digits) { return {text: engineering(value, unit, digits), value, unit}; }
 
-function cell(c) {
+/** wordy: the column has no numbers */
+function cell(c, wordy) {
   if (typeof c === 'string') return el('td', {}, c);
   const name = c.words && c.value !== c.text ? c.value : null;
   const attributes = {
-    class: c.words ? 'words' : null,
+    class: c.words ? (wordy ? 'words' : '') + (String(c.text).length > 18 ? ' long' : '') : null,
     'data-value': c.words ? null : c.value,
     'data-name': name,
     title: name === null ? null : describe(name)
@@ -76,8 +77,9 @@ export function table(file, header, lines, csvHeader) {
 
 /** The same with a file that is made otherwise. */
 export function tableSaved(file, header, lines, make) {
-  const wordy = (i) => (i > 0 && lines[0]?.[i]?.words ? 'words' : null);
-  const head = el('tr', {}, header.map((h, i) => el('th', {scope: 'col', class: wordy(i)}, h)));
-  const {scroll, more} = tableFrame(file, head, lines.map((line) => el('tr', {}, line.map(cell))));
+  const wordy = header.map((_, i) => i === 0 || lines.every((line) => line[i]?.words));
+  const head = el('tr', {}, header.map((h, i) => el('th', {scope: 'col', class: i && wordy[i] ? 'words' : null}, h)));
+  const rows = lines.map((line) => el('tr', {}, line.map((c, i) => cell(c, wordy[i]))));
+  const {scroll, more} = tableFrame(file, head, rows);
   return el('div', {}, scroll, el('div', {class: 'table-tools'}, more, saveButton(file, make)));
 }

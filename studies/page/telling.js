@@ -6,7 +6,7 @@ import {drawSqueals, logRange, paddedRange, scaled} from './chart.js';
 import {curves, data, rows, summary} from './data.js';
 import {bold, bullets, card, colour, el, sentence, svg} from './dom.js';
 import {figure, keepFocus} from './figure.js';
-import {drawGuides, drawLevel, drawPath, hatch} from './guides.js';
+import {drawDotted, drawGuides, drawLevel, drawPath, drawShaded, hatch, nameLevels} from './guides.js';
 import {drawLimits} from './limits.js';
 import {table} from './table.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
@@ -36,7 +36,9 @@ export function columnAt(where) { return rows.columns.findIndex((c) => where ===
 export function numbersAt(where) {
   const column = columnAt(where);
   if (column >= 0) return rows.columns[column].values;
-  const list = typeof where === 'string' ? valueAt({...summary, motors: curves}, where.split('/')) : where;
+  const list = !where           ? [] :
+      typeof where === 'string' ? valueAt({...summary, motors: curves}, where.split('/')) :
+                                  where;
   return Float64Array.from(list, (v) => v ?? NaN);
 }
 
@@ -47,7 +49,7 @@ function unitOfAxis(axis, lists) {
 
 function rangeOf({low, high, zero}, unit, lists, log) {
   const [least, most] = log ? logRange(lists) : paddedRange(lists, zero);
-  return [low === null ? least : low / unit.divisor, high === null ? most : high / unit.divisor];
+  return [low === undefined ? least : low / unit.divisor, high === undefined ? most : high / unit.divisor];
 }
 
 /** How many points of a series stand at each place. */
@@ -110,7 +112,7 @@ const signs = {
 };
 
 /** Entries of the key, each name once. */
-function legendOf(series, guides) {
+function legendOf(series, {guides, shaded}) {
   const list = series.flatMap(
       (s) =>
           [{name: s.name, colour: s.colour, kind: signs[s.stroke] ?? ''},
@@ -119,6 +121,7 @@ function legendOf(series, guides) {
   list.push(...series.map((s) => ({name: s.state, colour: of, kind: 'broad'})));
   if (guides.some((g) => g.kind === 'limit')) list.push({name: 'limit', colour: 'c1', kind: ''});
   if (guides.some((g) => g.kind === 'quantile' && g.text)) list.push({name: 'quantile', colour: 'ink', kind: 'dash'});
+  list.push(...shaded.map(({name}) => ({name, colour: 'faint', kind: 'area'})));
   return list.filter((e, i) => e.name && list.findIndex((o) => o.name === e.name) === i);
 }
 
@@ -187,8 +190,9 @@ function readingOf(chart, grid, list, shown, divisors, i) {
  * Draws a chart; its plot.
  * more: further options of figure(), and log: {x, y}, which axes are logarithmic
  */
-export function draw(node, chart, more = {}) {
-  if (chart.asked) return drawAsked(node, chart, more);
+export function draw(node, given, more = {}) {
+  if (given.asked) return drawAsked(node, given, more);
+  const chart = {guides: [], marks: [], bounds: [], shaded: [], ...given};
   const all = stackedUp(seriesOfChart(chart));
   const isPath = ({stroke}) => stroke === 'path' || stroke === 'contour';
   const [paths, list] = [all.filter(isPath), all.filter((s) => !isPath(s))];
@@ -198,6 +202,7 @@ export function draw(node, chart, more = {}) {
   const {series, lines: count, bands} = drawnSeries(list, grid, up.divisor);
   const x = scaled(grid, across.divisor);
   const marks = chart.marks.map((m) => ({...m, x: m.x / across.divisor, y: m.y / up.divisor, small: !m.text}));
+  const shaded = chart.shaded.map((s) => ({from: s.from / across.divisor, to: s.to / across.divisor}));
   const bounds = chart.bounds.map((b) => ({...b, x: b.x / across.divisor, y: b.y / up.divisor}));
   const log = more.log ?? {};
   let ranges = [
@@ -209,9 +214,9 @@ export function draw(node, chart, more = {}) {
   ];
   if (chart.round) ranges = alike(ranges);
   const label = (axis, unit) => axis.name + (unit.text ? ' [' + unit.text + ']' : '');
-  const legend = legendOf(all, chart.guides);
+  const legend = legendOf(all, chart);
   const guides = chart.guides.filter((g) => g.kind !== 'level').map((g) => ({...g, at: g.at / across.divisor}));
-  const levels = chart.guides.filter((g) => g.kind === 'level').map((g) => g.at / up.divisor);
+  const levels = chart.guides.filter((g) => g.kind === 'level').map((g) => ({...g, at: g.at / up.divisor}));
   const divisors = {x: across.divisor, y: up.divisor};
   if (chart.field) node.append(bandLegend(chart.field));
   return figure(chart.round ? node.appendChild(el('div', {class: 'round'})) : node, x, series, {
@@ -227,14 +232,17 @@ export function draw(node, chart, more = {}) {
     height: chart.round ? 380 : more.height,
     ground: (u) => {
       if (chart.field) drawBands(u, chart.field, divisors);
-      levels.forEach((v) => drawLevel(u, v));
-      if (chart.least !== null) hatch(u, ranges[0][0], chart.least / across.divisor);
-      if (chart.most !== null) hatch(u, chart.most / across.divisor, ranges[0][1]);
+      drawShaded(u, shaded);
+      drawDotted(u, marks);
+      levels.forEach((g) => drawLevel(u, g.at));
+      if (chart.least !== undefined) hatch(u, ranges[0][0], chart.least / across.divisor);
+      if (chart.most !== undefined) hatch(u, chart.most / across.divisor, ranges[0][1]);
       lines.forEach((s) => drawPath(u, s));
       drawSqueals(u, list.map((s) => s.broad ?? []));
     },
     front: (u, taken) => {
       drawGuides(u, guides, taken);
+      nameLevels(u, levels, taken);
       drawLimits(u, bounds, taken);
       more.front?.(u, taken);
     }
@@ -339,7 +347,7 @@ function drawCharts(node, {charts, columns, wide}) {
   const holder = several ? node.appendChild(el('div', {class: 'charts'})) : node;
   if (columns) {
     // On a narrow screen a matrix moves under its frame.
-    holder.style.gridTemplateColumns = 'repeat(' + columns + ', minmax(90px, 1fr))';
+    holder.style.gridTemplateColumns = 'repeat(' + columns + ', minmax(190px, 1fr))';
     holder.style.overflowX = 'auto';
   }
   const height = columns ? 170 : wide && !several ? 300 : 240;

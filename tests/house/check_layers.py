@@ -24,7 +24,7 @@ FOLDERS = {
     "studies/io": ["text", "units", "formula", "diagnostics", "yaml", "schema", "store", "tables"],
     "studies/motors": ["materials", "metrics", "file", "tables"],
     "studies": ["statistics", "problem", "entries", "results", "kinds/rows", "kinds/sample", "kinds/sensitivity",
-                "kinds/calibrate", "kinds/robust", "kinds/search", "telling", "stored", "report", "datasheet", "run"],
+                "kinds/calibrate", "kinds/robust", "kinds/search", "telling", "stored", "report", "run"],
 }
 # Public headers whose functions and classes a source of another name defines, and those of types alone, in the lowest folder that
 # needs them.

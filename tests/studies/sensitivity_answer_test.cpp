@@ -81,7 +81,7 @@ TEST_CASE("Sobol indices are told from the largest total on, then what they add 
         "Mean 600 mN.m, standard deviation 50 mN.m.\n"
         "kinetic_friction has the largest influence: alone it explains 50 % of the variance.\n"
         "Interactions explain 20 %.\n"
-        "amplitude has no influence.\n"
+        "amplitude has almost no influence (below 1 %).\n"
         "variable | total | low | high | first order | low | high\n"
         "kinetic_friction | 50 % | 45 % | 55 % | 50 % | 45 % | 55 %\n"
         "preload | 45 % | 40 % | 50 % | 30 % | 25 % | 36 %\n"
@@ -117,7 +117,7 @@ TEST_CASE("indices that add up to one leave nothing to interactions",
       barred(sections_text(result)),
       Contains(
           "kinetic_friction has the largest influence: alone it explains 75 % of the variance.\n"
-          "amplitude has no influence.\n"));
+          "amplitude has almost no influence (below 1 %).\n"));
   CHECK_THAT(sections_text(result), !Contains("max_samples"));
   CHECK_FALSE(answer_json(result).contains("width"));  // none was asked for
   // What is left, 0.2, is less than the intervals leave open: it may be nothing.
@@ -137,18 +137,20 @@ TEST_CASE("an index below zero is an estimate of nothing", "[studies][sensitivit
 TEST_CASE("variables that do not matter are listed in one sentence",
           "[studies][sensitivity][words]") {
   SensitivityResult result = sobol({sharp(0, 0), sharp(0, 0), sharp(1, 1)});
-  CHECK_THAT(sections_text(result), Contains("\n"
-                                             "amplitude and preload have no influence.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\n"
+                      "amplitude and preload have almost no influence (below 1 %).\n"));
   result.variables.push_back({"thickness", "m"});
   std::get<MetricSensitivity::Sobol>(result.metrics[0].effects).push_back(sharp(0, 0));
   CHECK_THAT(sections_text(result),
              Contains("\n"
-                      "amplitude, preload and thickness have no influence.\n"));
+                      "amplitude, preload and thickness have almost no influence (below 1 %).\n"));
   // Below a hundredth as a whole: an interval that reaches to it leaves it open.
   SobolShares& thickness = std::get<MetricSensitivity::Sobol>(result.metrics[0].effects)[3];
   thickness.first.high = thickness.total.high = 0.01;
-  CHECK_THAT(sections_text(result), Contains("\n"
-                                             "amplitude and preload have no influence.\n"));
+  CHECK_THAT(sections_text(result),
+             Contains("\n"
+                      "amplitude and preload have almost no influence (below 1 %).\n"));
 }
 
 TEST_CASE("indices that there are none of are dashes, and lead to no sentence",
@@ -175,7 +177,7 @@ TEST_CASE("elementary effects carry the unit of the metric", "[studies][sensitiv
       barred(sections_text(result)),
       Contains("kinetic_friction has the largest influence: across its range it changes "
                "stall_torque by 200 mN.m on average.\n"
-               "amplitude has no influence.\n"
+               "amplitude has almost no influence (below 1 %).\n"
                "variable | µ* | low | high | σ | low | high\n"
                "kinetic_friction | 200 mN.m | 190 mN.m | 210 mN.m | 20 mN.m | 10 mN.m | 30 mN.m\n"
                "preload | 50 mN.m | 40 mN.m | 60 mN.m | 10 mN.m | 5 mN.m | 20 mN.m\n"

@@ -161,10 +161,6 @@ std::optional<MetricRequest> load_of_warm(const Term& term) {
   return MetricRequest{Metric::amplitude_at, load.argument, load.at, load.torque, {}};
 }
 
-std::string reason(const MetricExpression& metric, MetricStatus status) {
-  return metric.text + ": " + to_string(status);
-}
-
 }  // namespace
 
 std::vector<MetricExpression> asked(const DesignProblem& problem) {

@@ -27,6 +27,10 @@ class EndlessGoal : public InputError {
                    to_string(status) + "), so that there is no largest; give it as a limit") {}
 };
 
+std::string reason(const MetricExpression& metric, MetricStatus status) {
+  return metric.text + ": " + to_string(status);
+}
+
 }  // namespace
 
 CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied,

@@ -104,7 +104,7 @@ std::vector<Mark> torque_marks(const MotorCurve& curve) {
   const double stall = metric_of(curve, Metric::stall_torque);
   std::vector<Mark> marks{{0, stall, {"stall ", torque_part(stall)}}};
   const auto add = [&](double speed, double torque, const Phrase& text) {
-    if (speed > 0) marks.push_back({speed, torque, text});
+    if (speed > 0) marks.push_back({speed, torque, text, "ink", true, true});
   };
   const double begin = curve.motor.first_speed();
   const double pull_out = metric_of(curve, Metric::pull_out_torque);
@@ -126,12 +126,14 @@ std::vector<Mark> power_marks(const MotorCurve& curve) {
   return {{speed, peak, {"peak power ", value_part(peak, "W", 3), " at ", speed_part(speed)}}};
 }
 
-// The marks of the curve asked for have texts, unless there are many; those of the others are dots alone.
+// The marks of the curve asked for have texts and lines, unless there are many; those of the others are dots alone.
 void add_marks(Chart& chart, Curves curves, std::vector<Mark> (*marks_of)(const MotorCurve&)) {
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (Mark& mark : marks_of(curves[i])) {
       if (!std::isfinite(mark.y) || mark.x < chart.x.low || mark.x > chart.x.high) continue;
-      if (curves.size() > 2 || i + 1 < curves.size()) mark.text.clear();
+      const bool told = curves.size() <= 2 && i + 1 == curves.size();
+      if (!told) mark.text.clear();
+      mark.line = mark.line && told;
       mark.colour = curves.size() > 1 ? colour_of(i) : "ink";
       chart.marks.push_back(std::move(mark));
     }
@@ -203,7 +205,8 @@ Series efficiency_series(const MotorCurve& curve, double (*value)(const Operatin
   const double near = 0.99 * no_load;
   for (const OperatingPoint& point : curve.points)
     if (point.output_power >= 0 && !(point.speed > near)) add(point.speed, value(point));
-  if (!(no_load > curve.points.front().speed && no_load < curve.points.back().speed)) return series;
+  if (!(no_load > curve.points.front().speed && no_load <= curve.points.back().speed))
+    return series;
   for (double below = 0.01; below > 1e-6; below /= 2) {
     const OperatingPoint point = curve.motor.operating_point(no_load * (1 - below));
     if (point.speed > curve.points.front().speed) add(point.speed, value(point));
@@ -340,6 +343,20 @@ std::vector<Chart> contact_charts() {
 std::vector<Chart> curve_charts(Curves curves) {
   return {torque_chart(curves), power_card(curves, {}).chart,
           efficiency_chart(curves, efficiency_kind(curves), {})};
+}
+
+std::vector<Chart> sheet_charts(const MotorCurve& curve, const std::optional<OperatingPoint>& at) {
+  const Curves curves{&curve, 1};
+  const EfficiencyKind kind = efficiency_kind(curves);
+  std::vector<Chart> charts{column_chart(curves, kTorque, {}), column_chart(curves, kOutput, {}),
+                            efficiency_chart(curves, kind, {})};
+  for (Chart& chart : charts) chart.title.clear();  // the axis has the name
+  if (!at || at->status != PointStatus::ok || at->torque < 0) return charts;
+  const double values[] = {at->torque, at->output_power, kind.value(*at)};
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (std::isfinite(values[i]) && at->speed <= charts[i].x.high)
+      charts[i].marks.push_back({at->speed, values[i], {}, "ink", true, true});
+  return charts;
 }
 
 std::vector<Section> torque_sections(const Phrase& title, const Sources& sources,

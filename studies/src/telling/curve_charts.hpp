@@ -33,6 +33,9 @@ EfficiencyKind efficiency_kind(const MotorDesign& design);
 /// The torques of these motors, with limits of the last one.
 Chart torque_chart(std::span<const MotorCurve> curves, const std::vector<CurveLimit>& limits = {});
 
+/// Torque, output power and efficiency of one motor, with a point of it marked.
+std::vector<Chart> sheet_charts(const MotorCurve& curve, const std::optional<OperatingPoint>& at);
+
 /// A card of the torques, over which a reader points at a speed; nothing without curves.
 std::vector<Section> torque_sections(const Phrase& title, const Sources& sources,
                                      const std::vector<CurveLimit>& limits = {});

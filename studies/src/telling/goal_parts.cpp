@@ -4,6 +4,7 @@
 #include "results/robust_answer.hpp"
 #include "telling/load_parts.hpp"
 
+#include <twum/core/parameters.hpp>
 #include <twum/io/value_error.hpp>
 #include <twum/motors/settings.hpp>
 
@@ -31,6 +32,7 @@ Phrase goal_name(const Goal& goal) {
 
 bool is_temperature(const std::string& name) {
   if (const auto metric = find_metric(name)) return info(*metric).absolute;
+  if (find_parameter(name)) return name.find("_temperature") != std::string::npos;
   try {
     return is_absolute(parse_side(name));
   } catch (const ValueError&) {
@@ -74,7 +76,9 @@ Phrase capitalized(Phrase phrase) {
     first.text = written(first, Writing::page);
     first.kind = Part::Kind::words;
   }
-  if (first.kind == Part::Kind::words && !first.text.empty())
+  // A formula begins as one types it.
+  const bool typed = first.text.substr(0, first.text.find(' ')).find('_') != std::string::npos;
+  if (first.kind == Part::Kind::words && !first.text.empty() && !typed)
     first.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(first.text[0])));
   return phrase;
 }

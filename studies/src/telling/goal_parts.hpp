@@ -18,7 +18,7 @@ Part goal_part_of(const Goal& goal, double value);
 Axis goal_axis(const Goal& goal);
 /// "largest peak power", "smallest max pressure"
 Phrase goal_name(const Goal& goal);
-/// True for the name of an absolute temperature, of a metric at a point with it or without.
+/// True for the name of an absolute temperature, of a parameter, or of a metric at a point with it or without.
 bool is_temperature(const std::string& name);
 /// The value of a metric or a parameter: slices and whole numbers as a motor file has them, efficiencies in per cent, absolute
 /// temperatures in degC.

@@ -175,8 +175,8 @@ Section cold_and_warm(const HeatResult& answer) {
   return section;
 }
 
-void add_limits(Chart& chart, const Motor& motor) {
-  for (std::size_t i = 0; i < parts_of(motor); ++i)
+void add_limits(Chart& chart, const Motor& motor, std::size_t parts) {
+  for (std::size_t i = 0; i < parts; ++i)
     if (const auto limit = limit_of(motor, i))
       chart.guides.push_back(
           {in_celsius(*limit), {"limit of the " + part_name(motor, i)}, Guide::Kind::level});
@@ -224,13 +224,13 @@ void add_courses(Chart& chart, const HeatResult& answer, double end, PointsOf po
     const Motor& motor = answer.members.front();
     for (std::size_t i = 0; i < parts_of(motor); ++i)
       add_course(chart, part_name(motor, i), i, points_of(motor), seconds, colour_of(i));
-    add_limits(chart, motor);
+    add_limits(chart, motor, parts_of(motor));
     return fit_axis(chart);
   }
   for (std::size_t k = 0; k < answer.members.size(); ++k)
     add_course(chart, written(heated_phrase(answer, answer.members[k]), Writing::read), 0,
                points_of(answer.members[k]), seconds, colour_of(k));
-  add_limits(chart, answer.members.front());
+  add_limits(chart, answer.members.front(), 1);
   fit_axis(chart);
 }
 

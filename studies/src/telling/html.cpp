@@ -58,6 +58,9 @@ bool is_drawn(const Chart& chart) {
          });
 }
 
+// Widths of charts, of which two or three stand side by side [pixels].
+constexpr double kHalf = 460, kThird = 300;
+
 // Panels of a matrix are too many and too small.
 bool has_charts(const Section& section) {
   return section.on_page && !section.charts.empty() && section.columns == 0 &&
@@ -91,7 +94,7 @@ std::string html(const Phrase& phrase) {
 }
 
 std::string html(const Table& table) {
-  std::string text = row_of("th", table.heads, table);
+  std::string text = table.heads.empty() ? "" : row_of("th", table.heads, table);
   for (const std::vector<Phrase>& row : table.rows) text += row_of("td", row, table);
   // A wide table scrolls by itself and does not widen what is around it, whose sentences would be cut off.
   return "<div style=\"overflow-x: auto; width: 0; min-width: 100%\">\n" +
@@ -103,16 +106,18 @@ std::string html(const Headline& headline) {
          bullets(headline.remarks);
 }
 
-std::string html(const std::vector<Section>& sections) {
+std::string html(const std::vector<Section>& sections, const std::string& heading) {
   std::string text;
   for (const Section& section : sections) {
     if (is_picture(section) && !has_charts(section)) continue;
-    text += element("h4", html(capitalized(section.heading)));
+    text += section.wide ? "<section class=\"wide\">\n" : "<section>\n";
+    text += element(heading, html(capitalized(section.heading)));
     if (!section.note.empty()) text += element("p", html(capitalized(section.note)));
     for (std::size_t i = 0; has_charts(section) && i < section.charts.size(); ++i)
-      text += html(section.charts[i]);
+      text += html(section.charts[i], section.charts.size() > 2 ? kThird : kHalf);
     text += paragraphs(section.sentences) + bullets(section.remarks);
     for (const Table& table : section.tables) text += html(table);
+    text += "</section>\n";
   }
   return text;
 }

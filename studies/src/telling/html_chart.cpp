@@ -14,9 +14,9 @@
 namespace twum::studies::telling {
 namespace {
 
-// Of the picture and of the plane within its axes [pixels].
-constexpr double kPictureWidth = 460, kPictureHeight = 275;
-constexpr double kPlaneLeft = 62, kPlaneRight = 448, kPlaneTop = 26, kPlaneBottom = 230;
+// Height and left edge of the plane within the axes; room at its right, for a title above and for an axis below [pixels].
+constexpr double kPlaneHeight = 204, kPlaneLeft = 62, kRight = 12, kTitle = 26, kBelow = 45;
+constexpr double kNoTitle = 8;
 constexpr double kRoom = 0.05;  // about the values, in parts of their range
 
 // These can be read on white and on black.
@@ -24,6 +24,7 @@ std::string svg_colour(const std::string& name) {
   static constexpr std::array<const char*, 7> kColours{"#3a8fc2", "#e0701c", "#16a37f", "#9a5cff",
                                                        "#a8862a", "#d0406a", "#808080"};
   if (name == "ink") return "currentColor";
+  if (name == "faint") return "#bbb";
   return name.starts_with('c') ? kColours.at(static_cast<std::size_t>(name.at(1) - '0')) : "#999";
 }
 
@@ -37,8 +38,7 @@ std::string attribute(const std::string& name, const std::string& value) {
 // An axis between two pixels.
 class PixelAxis {
  public:
-  PixelAxis(const Axis& told, const std::vector<double>& values, double from, double to)
-      : from_(from), to_(to) {
+  PixelAxis(const Axis& told, const std::vector<double>& values) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double low = told.zero ? 0 : kInfinity, high = told.zero ? 0 : -kInfinity;
     for (const double value : values) {
@@ -55,17 +55,18 @@ class PixelAxis {
     name_ = written(capitalized(told.name), Writing::page) + unit;
   }
 
+  void put(double from, double to) { from_ = from, to_ = to; }
   const std::string& name() const { return name_; }
+  double range() const { return high_ - low_; }
   double at(double value) const { return from_ + (value - low_) / (high_ - low_) * (to_ - from_); }
 
   struct Tick {
     double at;
     std::string text;
   };
-  /// At multiples of 1, 2 or 5 times a power of ten.
-  std::vector<Tick> ticks() const {
-    constexpr double kMost = 7;
-    const double least = (high_ - low_) / unit_.divisor / kMost;
+  /// At multiples of 1, 2 or 5 times a power of ten, with room for their texts [pixels].
+  std::vector<Tick> ticks(double room) const {
+    const double least = range() / unit_.divisor * std::min(room / std::fabs(to_ - from_), 1.0);
     const double power = std::pow(10, std::floor(std::log10(least)));
     double step = power;
     for (const double factor : {2, 5, 10})
@@ -77,7 +78,7 @@ class PixelAxis {
   }
 
  private:
-  double from_, to_, low_{0}, high_{0};
+  double from_{0}, to_{1}, low_{0}, high_{0};
   DisplayUnit unit_;
   std::string name_;
 };
@@ -108,17 +109,29 @@ std::vector<double> y_values(const Chart& chart) {
 
 class SvgChart {
  public:
-  explicit SvgChart(const Chart& chart)
+  SvgChart(const Chart& chart, double width)
       : chart_(chart),
-        x_(chart.x, x_values(chart), kPlaneLeft, kPlaneRight),
-        y_(chart.y, y_values(chart), kPlaneBottom, kPlaneTop) {}
+        width_(width),
+        top_(chart.title.empty() ? kNoTitle : kTitle),
+        right_(width - kRight),
+        bottom_(top_ + kPlaneHeight),
+        x_(chart.x, x_values(chart)),
+        y_(chart.y, y_values(chart)) {
+    if (chart.one_scale) {
+      const double scale = std::min((right_ - kPlaneLeft) / x_.range(), kPlaneHeight / y_.range());
+      right_ = kPlaneLeft + scale * x_.range();
+      bottom_ = top_ + scale * y_.range();
+    }
+    x_.put(kPlaneLeft, right_);
+    y_.put(bottom_, top_);
+  }
 
   std::string svg() {
     add_plane();
     add_axes();
     for (std::size_t i = 0; i < chart_.guides.size(); ++i) add_guide(chart_.guides[i], i);
     for (const Mark& mark : chart_.marks) add_mark(mark);
-    const std::string box = "0 0 " + pixels(kPictureWidth, kPictureHeight);
+    const std::string box = "0 0 " + pixels(width_, bottom_ + kBelow);
     return "<svg" + attribute("viewBox", box) + attribute("style", "width: 100%; height: auto") +
            attribute("font-size", "11") + attribute("fill", "currentColor") + ">\n" + body_ +
            "</svg>\n";
@@ -145,11 +158,15 @@ class SvgChart {
 
   // What lies beyond the ends of the axes is not shown.
   void add_plane() {
-    const double wide = kPlaneRight - kPlaneLeft, high = kPlaneBottom - kPlaneTop;
-    body_ += "<svg" + attribute("x", pixels(kPlaneLeft)) + attribute("y", pixels(kPlaneTop)) +
+    const double wide = right_ - kPlaneLeft, high = bottom_ - top_;
+    body_ += "<svg" + attribute("x", pixels(kPlaneLeft)) + attribute("y", pixels(top_)) +
              attribute("width", pixels(wide)) + attribute("height", pixels(high)) +
-             attribute("viewBox", pixels(kPlaneLeft, kPlaneTop) + " " + pixels(wide, high)) + ">\n";
+             attribute("viewBox", pixels(kPlaneLeft, top_) + " " + pixels(wide, high)) + ">\n";
     add_field();
+    for (const Stretch& one : chart_.shaded)
+      add_area("M" + pixels(x_.at(one.from), top_) + "H" + pixels(x_.at(one.to)) + "V" +
+                   pixels(bottom_) + "H" + pixels(x_.at(one.from)) + "Z",
+               svg_colour("soft"), 0.15);
     for (const Series& series : chart_.series) add_series(series);
     body_ += "</svg>\n";
   }
@@ -157,18 +174,19 @@ class SvgChart {
   void add_axes() {
     const std::string middle = attribute("text-anchor", "middle");
     const std::string thin = attribute("stroke-opacity", "0.2");
-    add_text(kPlaneLeft, 14, written(capitalized(chart_.title), Writing::page),
-             attribute("font-weight", "bold"));
-    for (const PixelAxis::Tick& tick : x_.ticks()) {
-      add_path("M" + pixels(tick.at, kPlaneTop) + "V" + pixels(kPlaneBottom), "currentColor", thin);
-      add_text(tick.at, kPlaneBottom + 14, tick.text, middle);
+    if (!chart_.title.empty())
+      add_text(kPlaneLeft, 14, written(capitalized(chart_.title), Writing::page),
+               attribute("font-weight", "bold"));
+    for (const PixelAxis::Tick& tick : x_.ticks(55)) {
+      add_path("M" + pixels(tick.at, top_) + "V" + pixels(bottom_), "currentColor", thin);
+      add_text(tick.at, bottom_ + 14, tick.text, middle);
     }
-    for (const PixelAxis::Tick& tick : y_.ticks()) {
-      add_path("M" + pixels(kPlaneLeft, tick.at) + "H" + pixels(kPlaneRight), "currentColor", thin);
+    for (const PixelAxis::Tick& tick : y_.ticks(29)) {
+      add_path("M" + pixels(kPlaneLeft, tick.at) + "H" + pixels(right_), "currentColor", thin);
       add_text(kPlaneLeft - 5, tick.at + 4, tick.text, attribute("text-anchor", "end"));
     }
-    add_text((kPlaneLeft + kPlaneRight) / 2, kPlaneBottom + 32, x_.name(), middle);
-    const std::string place = pixels(13, (kPlaneTop + kPlaneBottom) / 2);
+    add_text((kPlaneLeft + right_) / 2, bottom_ + 32, x_.name(), middle);
+    const std::string place = pixels(13, (top_ + bottom_) / 2);
     add_text(0, 0, y_.name(),
              middle + attribute("transform", "translate(" + place + ") rotate(-90)"));
   }
@@ -199,6 +217,9 @@ class SvgChart {
     if (!series.low.values.empty()) add_band(series, colour);
     switch (series.stroke) {
       case Stroke::bars: return add_bars(series, colour);
+      case Stroke::area:  // its edge shows where it is too thin
+        add_path(line(series) + "Z", colour);
+        return add_area(line(series) + "Z", colour, 0.85);
       case Stroke::cells: return;  // maps of a sweep are on pages and pictures
       case Stroke::dots: return add_dots(series, colour);
       case Stroke::dashes:
@@ -273,22 +294,22 @@ class SvgChart {
     add_area(there + back, colour, 0.2);
   }
 
-  static bool is_inside(double x, double y) {
-    return x >= kPlaneLeft && x <= kPlaneRight && y >= kPlaneTop && y <= kPlaneBottom;
+  bool is_inside(double x, double y) const {
+    return x >= kPlaneLeft && x <= right_ && y >= top_ && y <= bottom_;
   }
 
   // Texts of neighbours are on different heights.
   void add_guide(const Guide& guide, std::size_t number) {
     const bool level = guide.kind == Guide::Kind::level;
     const double at = level ? y_.at(guide.at) : x_.at(guide.at);
-    if (!is_inside(level ? kPlaneLeft : at, level ? at : kPlaneTop)) return;
-    add_path(level ? "M" + pixels(kPlaneLeft, at) + "H" + pixels(kPlaneRight)
-                   : "M" + pixels(at, kPlaneTop) + "V" + pixels(kPlaneBottom),
+    if (!is_inside(level ? kPlaneLeft : at, level ? at : top_)) return;
+    add_path(level ? "M" + pixels(kPlaneLeft, at) + "H" + pixels(right_)
+                   : "M" + pixels(at, top_) + "V" + pixels(bottom_),
              svg_colour(guide.kind == Guide::Kind::quantile ? "soft" : "c1"),
              attribute("stroke-dasharray", "3 3"));
-    const bool right = !level && at > (kPlaneLeft + kPlaneRight) / 2;
-    add_text(level ? kPlaneRight - 4 : at + (right ? -4 : 4),
-             level ? at - 4 : kPlaneTop + 11 + 12 * static_cast<double>(number % 3),
+    const bool right = !level && at > (kPlaneLeft + right_) / 2;
+    add_text(level ? right_ - 4 : at + (right ? -4 : 4),
+             level ? at - 4 : top_ + 11 + 12 * static_cast<double>(number % 3),
              written(guide.text, Writing::page),
              attribute("text-anchor", level || right ? "end" : "start"));
   }
@@ -296,15 +317,20 @@ class SvgChart {
   void add_mark(const Mark& mark) {
     const double x = x_.at(mark.x), y = y_.at(mark.y);
     if (!is_inside(x, y)) return;
+    if (mark.line)
+      add_path("M" + pixels(x, top_) + "V" + pixels(bottom_), svg_colour("soft"),
+               attribute("stroke-dasharray", "2 3"));
     if (mark.dot)
       add_path("M" + pixels(x, y) + "h0", svg_colour(mark.colour),
                attribute("stroke-width", "7") + attribute("stroke-linecap", "round"));
-    const bool right = x > (kPlaneLeft + kPlaneRight) / 2;
-    add_text(x + (right ? -6 : 6), y - 4, written(mark.text, Writing::page),
-             attribute("text-anchor", right ? "end" : "start"));
+    const bool right = x > (kPlaneLeft + right_) / 2;
+    if (!mark.text.empty())
+      add_text(x + (right ? -6 : 6), y - 4, written(mark.text, Writing::page),
+               attribute("text-anchor", right ? "end" : "start"));
   }
 
   const Chart& chart_;
+  double width_, top_, right_, bottom_;
   PixelAxis x_, y_;
   std::string body_;
 };
@@ -324,6 +350,7 @@ std::string key(const Chart& chart) {
   };
   for (const Series& series : chart.series)
     add(series.colour, series.name), add(series.colour, series.band);
+  for (const Stretch& one : chart.shaded) add("faint", one.name);
   const Field& field = chart.field;
   if (field.levels.size() < 2) return text;
   const auto level = [&](double value) {
@@ -338,9 +365,10 @@ std::string key(const Chart& chart) {
 
 }  // namespace
 
-std::string html(const Chart& chart) {
-  return "<div style=\"display: inline-block; width: 100%; max-width: " + pixels(kPictureWidth) +
-         "px\">\n" + SvgChart(chart).svg() + "<div>" + key(chart) + "</div>\n</div>\n";
+std::string html(const Chart& chart, double width) {
+  return "<div style=\"display: inline-block; vertical-align: top; width: 100%; max-width: " +
+         pixels(width) + "px\">\n" + SvgChart(chart, width).svg() + "<div>" + key(chart) +
+         "</div>\n</div>\n";
 }
 
 }  // namespace twum::studies::telling

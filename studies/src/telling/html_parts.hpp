@@ -12,6 +12,7 @@ namespace twum::studies::telling {
 std::string harmless(const std::string& text);
 
 /// A chart as SVG with its key below. Text and axes have the colour of the page, so that they can be read in light and dark.
-std::string html(const Chart& chart);
+/// @param width  [pixels]
+std::string html(const Chart& chart, double width);
 
 }  // namespace twum::studies::telling

@@ -60,8 +60,8 @@ bool moves_any(const NamedValue& answer, const std::vector<const Move*>& order, 
 Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Move*>& order) {
   Table table{"moves", {{"fixed parameter"}, {"value"}}, {{{"(present answer)"}, {"-"}}}};
   for (const Move* move : order)
-    table.rows.push_back(
-        {{name_part(move->held.name)}, {value_part(move->held.value, move->held.unit)}});
+    table.rows.push_back({{name_part(move->held.name)},
+                          {named_part(move->held.name, move->held.value, move->held.unit)}});
   for (std::size_t j = 0; j < answer.size(); ++j) {
     if (!moves_any(answer[j], order, j)) continue;
     table.heads.push_back({name_part(answer[j].name)});
@@ -96,9 +96,9 @@ std::optional<Phrase> example(const std::vector<NamedValue>& answer, const Move&
   return Phrase{"If ",
                 name_part(move.held.name),
                 " were ",
-                value_part((1 + kMore) * move.held.value, move.held.unit),
+                named_part(move.held.name, (1 + kMore) * move.held.value, move.held.unit),
                 " instead of ",
-                value_part(move.held.value, move.held.unit),
+                named_part(move.held.name, move.held.value, move.held.unit),
                 ", ",
                 name_part(answer[at].name),
                 " would be ",

@@ -92,24 +92,28 @@ Json numbers_json(const Numbers& numbers) {
   return list;
 }
 
+// What is as usual is left out: a page has many charts.
 Json axis_json(const Axis& axis) {
-  return {{"name", written(axis.name, Writing::page)},
-          {"unit", axis.unit},
-          {"zero", axis.zero},
-          {"low", number_json(axis.low)},
-          {"high", number_json(axis.high)}};
+  Json json{{"name", written(axis.name, Writing::page)}, {"unit", axis.unit}};
+  if (axis.zero) json["zero"] = true;
+  if (std::isfinite(axis.low)) json["low"] = axis.low;
+  if (std::isfinite(axis.high)) json["high"] = axis.high;
+  return json;
 }
 
-constexpr const char* kStrokes[] = {"line",    "dashes",  "dots", "steps", "path",
-                                    "contour", "outline", "bars", "cells", "stack"};
+constexpr const char* kStrokes[] = {"line",    "dashes", "dots", "steps", "path", "contour",
+                                    "outline", "bars",   "area", "cells", "stack"};
 constexpr const char* kGuides[] = {"limit", "quantile", "level"};
 
 Json series_json(const Series& series) {
   Json json{{"name", series.name},
             {"stroke", kStrokes[static_cast<std::size_t>(series.stroke)]},
-            {"colour", series.colour},
-            {"x", numbers_json(series.x)},
-            {"y", numbers_json(series.y)}};
+            {"colour", series.colour}};
+  const auto add = [&json](const char* name, const Numbers& numbers) {
+    if (!numbers.where.empty() || !numbers.values.empty()) json[name] = numbers_json(numbers);
+  };
+  add("x", series.x);
+  add("y", series.y);
   if (!series.low.values.empty()) {
     json["low"] = numbers_json(series.low);
     json["high"] = numbers_json(series.high);
@@ -159,13 +163,11 @@ Json chart_json(const Chart& chart) {
             {"title", written(capitalized(chart.title), Writing::page)},
             {"x", axis_json(chart.x)},
             {"y", axis_json(chart.y)},
-            {"least", number_json(chart.least)},
-            {"most", number_json(chart.most)},
-            {"round", chart.one_scale},
-            {"series", Json::array()},
-            {"guides", Json::array()},
-            {"marks", Json::array()},
-            {"bounds", bounds_json(chart.bounds)}};
+            {"series", Json::array()}};
+  if (std::isfinite(chart.least)) json["least"] = chart.least;
+  if (std::isfinite(chart.most)) json["most"] = chart.most;
+  if (chart.one_scale) json["round"] = true;
+  if (!chart.bounds.empty()) json["bounds"] = bounds_json(chart.bounds);
   for (const Series& one : chart.series) json["series"].push_back(series_json(one));
   for (const Series& one : chart.more) json["more"].push_back(series_json(one));
   if (!chart.more.empty()) json["asked"] = chart.asked;
@@ -174,12 +176,16 @@ Json chart_json(const Chart& chart) {
     json["guides"].push_back({{"at", guide.at},
                               {"text", written(guide.text, Writing::page)},
                               {"kind", kGuides[static_cast<std::size_t>(guide.kind)]}});
-  for (const Mark& mark : chart.marks)
-    json["marks"].push_back({{"x", mark.x},
-                             {"y", mark.y},
-                             {"text", written(mark.text, Writing::page)},
-                             {"colour", mark.colour},
-                             {"dot", mark.dot}});
+  for (const Mark& mark : chart.marks) {
+    Json& one = json["marks"].emplace_back(Json{{"x", mark.x},
+                                                {"y", mark.y},
+                                                {"text", written(mark.text, Writing::page)},
+                                                {"colour", mark.colour}});
+    if (!mark.dot) one["dot"] = false;
+    if (mark.line) one["line"] = true;
+  }
+  for (const Stretch& one : chart.shaded)
+    json["shaded"].push_back({{"from", one.from}, {"to", one.to}, {"name", one.name}});
   if (!chart.field.levels.empty()) json["field"] = field_json(chart.field);
   return json;
 }

@@ -28,12 +28,12 @@ std::string markdown(const Headline& headline);
 std::string markdown(const std::vector<Section>& sections);
 /// @}
 
-/// The same as HTML without colours and fonts, as a cell of a notebook shows it.
+/// The same as HTML without colours and fonts, as a cell of a notebook shows it. A data sheet adds its style.
 /// @{
 std::string html(const Phrase& phrase);
 std::string html(const Table& table);
 std::string html(const Headline& headline);
-std::string html(const std::vector<Section>& sections);
+std::string html(const std::vector<Section>& sections, const std::string& heading = "h4");
 /// @}
 
 /// What studies/page/telling.js draws.

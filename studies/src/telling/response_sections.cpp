@@ -71,6 +71,12 @@ void add_jumps(Chart& chart, const ResponseMember& member, const FrequencyColumn
                               "c1"});
 }
 
+// From the pull-out to the drive.
+void add_margin(Chart& chart, const ResponseMember& member) {
+  const double end = std::max(member.pull_out_below.value_or(member.frequency), chart.x.low);
+  if (end < member.frequency) chart.shaded = {{end, member.frequency, "margin"}};
+}
+
 // The wave at the drive's own frequency, and the last one before its pull-out; the first chart has their frequencies.
 void add_marks(Chart& chart, const ResponseMember& member, const FrequencyColumn& column,
                bool alone, const std::string& colour) {
@@ -82,7 +88,7 @@ void add_marks(Chart& chart, const ResponseMember& member, const FrequencyColumn
                     : Phrase{words, more, value_part(frequency, "Hz")};
   };
   chart.marks.push_back({member.frequency, column.value(*member.running),
-                         text("drive", " at ", member.frequency), colour});
+                         text("drive", " at ", member.frequency), colour, true, alone});
   for (const ResponseBranch& branch : member.branches)
     for (const ResponsePoint& point : branch.points)
       if (branch.stable && member.pull_out_below && point.frequency == *member.pull_out_below) {
@@ -101,6 +107,7 @@ Chart response_chart(const FrequencyResult& answer, const Quantity& quantity) {
   const bool alone = answer.members.size() == 1;
   for (std::size_t i = 0; i < answer.members.size(); ++i) add_branches(chart, answer, column, i);
   if (alone) add_jumps(chart, answer.members.front(), column);
+  if (alone) add_margin(chart, answer.members.front());
   for (std::size_t i = 0; i < answer.members.size(); ++i)
     add_marks(chart, answer.members[i], column, alone, alone ? "ink" : colour_of(i));
   return chart;
@@ -108,9 +115,10 @@ Chart response_chart(const FrequencyResult& answer, const Quantity& quantity) {
 
 // Of the load that is given the other number follows.
 Section responses(const FrequencyResult& answer) {
-  Section section{
-      {answer.members.size() == 1 ? "response" : "responses"},
-      {"Solid lines are stable waves, dashed lines unstable ones. The dot is the drive."}};
+  Section section{{answer.members.size() == 1 ? "response" : "responses"},
+                  {"Solid lines are stable waves, dashed lines unstable ones. The dots are the "
+                   "drive and, where "
+                   "there is one, the pull-out at a lower frequency."}};
   const std::string_view given = answer.load.given == Argument::speed ? "speed" : "torque";
   for (const Quantity& quantity : kResponses)
     if (quantity.column != given) section.charts.push_back(response_chart(answer, quantity));

@@ -288,14 +288,13 @@ Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*
   if (answer.members.empty() || !answer.members.front().running)
     return bad_headline({{strong("There is no running wave"), " at the frequency of the drive."}});
   const FrequencyResult::Member& member = answer.members.front();
-  const Phrase first{"At its drive frequency of ",
-                     value_part(member.frequency, "Hz", 5),
-                     answer.members.size() > 1 ? " the first motor" : " the motor",
-                     " runs at ",
-                     strong(value_part(member.running->point.speed, "rad/s")),
-                     " with a wave of ",
-                     strong(value_part(member.running->point.amplitude, "m")),
-                     "."};
+  Phrase first{"At its drive frequency of ", value_part(member.frequency, "Hz", 5), " the motor"};
+  if (answer.family)
+    append(first, {" with ", name_part(answer.family->name), " ",
+                   value_part(member.value, answer.family->unit)});
+  append(first,
+         {" runs at ", strong(value_part(member.running->point.speed, "rad/s")), " with a wave of ",
+          strong(value_part(member.running->point.amplitude, "m")), "."});
   if (!member.pull_out_below)
     return plain_headline({first, {"The wave does not pull out in the range."}});
   return plain_headline(

@@ -86,7 +86,7 @@ class MetricSection {
     std::vector<Part> names;
     for (const std::size_t j : list) names.push_back(name(j));
     Phrase phrase = listed(names);
-    append(phrase, {list.size() == 1 ? " has no influence." : " have no influence."});
+    append(phrase, {list.size() == 1 ? " has" : " have", " almost no influence (below 1 %)."});
     say(std::move(phrase));
   }
 

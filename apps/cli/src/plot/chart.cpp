@@ -33,6 +33,7 @@ std::vector<std::string> key_of(const Panel& panel) {
   std::vector<std::string> names;
   for (const Series& series : panel.series)
     if (!series.name.empty()) names.push_back(series.name);
+  for (const Stretch& one : panel.shaded) names.push_back(one.name);
   return names;
 }
 
@@ -94,9 +95,15 @@ std::string axes_of(const Scaled& s, const Labels& labels) {
          " defined (0 '#0B2F52', 0.35 '#0072B2', 0.7 '#8CC5E3', 1 '#F6E8B1')\n";
 }
 
-// The lines themselves are series: over the others, and below all texts.
+// Lines across the panel are series over the others and below all texts; what is shaded and dotted is behind them.
 std::vector<Series> with_guides(const Scaled& s) {
-  std::vector<Series> all = s.panel.series;
+  std::vector<Series> all;
+  for (const Stretch& one : s.panel.shaded)
+    all.push_back({one.name, Draw::boxes, "#E3ECD8", {{one.from, one.to, s.y.low, s.y.high}}});
+  for (const PointMark& mark : s.panel.marks)
+    if (mark.line)
+      all.push_back({"", Draw::dotted, "#666666", {{mark.x, s.y.low}, {mark.x, s.y.high}}});
+  all.insert(all.end(), s.panel.series.begin(), s.panel.series.end());
   for (const Guide& guide : s.panel.guides) {
     const std::vector<std::vector<double>> ends =
         guide.upright ? std::vector<std::vector<double>>{{guide.at, s.y.low}, {guide.at, s.y.high}}

@@ -14,6 +14,7 @@ enum class Draw : unsigned char {
   line,       ///< x, y
   thin,       ///< x, y: a line as thin as one can see
   dashes,     ///< x, y
+  dotted,     ///< x, y: a thin line
   steps,      ///< x, y
   dots,       ///< x, y
   rises,      ///< x, y: triangles that point up, for what has to be reached
@@ -51,7 +52,14 @@ struct Axis {
 struct PointMark {
   double x, y;
   std::string text;
-  bool dot{true};  ///< false: the text alone
+  bool dot{true};    ///< false: the text alone
+  bool line{false};  ///< with a dotted upright line
+};
+
+/// A range of the horizontal axis, shaded from below to above.
+struct Stretch {
+  double from, to;
+  std::string name;  ///< in the key
 };
 
 /// A line across the panel with a text beside it.
@@ -72,6 +80,7 @@ struct Panel {
   Axis colours{};         ///< of cells
   std::size_t bands{0};   ///< how many colours they have; 0: each value its own
   bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
+  std::vector<Stretch> shaded{};
 };
 
 /// Panels below each other under one title, or in a matrix.

@@ -46,10 +46,11 @@ void to_one_scale(Extent& x, Extent& y, const Place& place) {
 }  // namespace
 
 const Form& form_of(Draw draw) {
-  static const std::array<Form, 13> kForms = {{
+  static const std::array<Form, 14> kForms = {{
       {{0}, {1}, {0, 1}, "lines linewidth 2"},
       {{0}, {1}, {0, 1}, "lines linewidth 0.7"},
       {{0}, {1}, {0, 1}, "lines linewidth 1.6 dashtype 2"},
+      {{0}, {1}, {0, 1}, "lines linewidth 1 dashtype '.'"},
       {{0}, {1}, {0, 1}, "steps linewidth 2"},
       {{0}, {1}, {0, 1}, "points pointtype 7"},
       {{0}, {1}, {0, 1}, "points pointtype 9 pointsize 1.1"},

@@ -61,6 +61,7 @@ Draw draw_of(telling::Stroke stroke) {
     case Stroke::contour: return Draw::thin;
     case Stroke::line:
     case Stroke::path:
+    case Stroke::area:
     case Stroke::outline: break;
   }
   return Draw::line;
@@ -180,7 +181,9 @@ Panel panel_of(const telling::Chart& chart) {
   add_bounds(panel, chart.bounds);
   for (const telling::Guide& guide : chart.guides) panel.guides.push_back(guide_of(guide));
   for (const telling::Mark& mark : chart.marks)
-    panel.marks.push_back({mark.x, mark.y, read(mark.text), mark.dot});
+    panel.marks.push_back({mark.x, mark.y, read(mark.text), mark.dot, mark.line});
+  for (const telling::Stretch& one : chart.shaded)
+    panel.shaded.push_back({one.from, one.to, one.name});
   panel.one_scale = chart.one_scale;
   if (!chart.colours.name.empty()) panel.x.pad = panel.y.pad = 0;  // cells reach to the edges
   return panel;

@@ -103,6 +103,7 @@ enum class Stroke : unsigned char {
   contour,  ///< likewise, thin
   outline,  ///< over bins: x has one more than y
   bars,     ///< likewise
+  area,     ///< filled, within its points
   cells,    ///< of a grid, each in the colour of its value
   stack,  ///< a part of a whole, filled, on top of the series before; nothing where a part is negative
 };
@@ -144,12 +145,19 @@ struct Guide {
   Kind kind{Kind::limit};
 };
 
+/// A range of the horizontal axis that is shaded.
+struct Stretch {
+  double from, to;
+  std::string name{};  ///< in the key
+};
+
 /// A point of a chart with a text beside it.
 struct Mark {
   double x, y;
   Phrase text{};
   std::string colour{"c1"};
-  bool dot{true};  ///< false: the text alone
+  bool dot{true};    ///< false: the text alone
+  bool line{false};  ///< with a dotted upright line through it
 };
 
 /// A limit at a point of a chart: a bar with teeth on the side of worse values.
@@ -188,6 +196,7 @@ struct Chart {
   std::vector<Bound> bounds{};
   std::vector<Series> more{};  ///< that a page adds when its reader asks for it
   std::string asked{};         ///< says the button for them
+  std::vector<Stretch> shaded{};
 };
 
 /// Quantities of many designs in parallel coordinates: a line for each design.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/telling.hpp>
+
+#include <optional>
+#include <vector>
+
+/// What a data sheet says of a motor; internal.
+namespace twum::studies::telling {
+
+/// "Travelling wave ultrasonic motor with 9 wavelengths, driven by 120 V rms at 40.8 kHz"
+Phrase motor_phrase(const MotorDesign& design);
+
+/// Curves with the rated point, cross-section, performance, rated point, electrical numbers, parameters, doubts about the model.
+/// @param rated_speed  none: that of the largest overall efficiency, or of the largest power of a motor without modal data
+std::vector<Section> sheet_sections(const Motor& motor, const std::optional<double>& rated_speed);
+
+/// One side of the motor, cut along its axis, to scale.
+Section cross_section(const MotorDesign& design);
+
+}  // namespace twum::studies::telling
