@@ -2,7 +2,7 @@
 # cmake -DOUT=FILE.cpp -DFILES=a.yaml;b.yaml -P EmbedMaterials.cmake
 #
 # Writes the catalogue of materials as a table of C++.
-file(WRITE ${OUT} "#include \"materials/embedded.hpp\"\nnamespace twum::motors {\nnamespace {\n")
+file(WRITE ${OUT} "#include \"materials/embedded.hpp\"\nnamespace twum::inline v0_1::motors {\nnamespace {\n")
 set(table "")
 foreach(file ${FILES})
   get_filename_component(name ${file} NAME_WE)

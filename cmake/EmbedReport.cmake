@@ -64,7 +64,7 @@ function(embed_styles name)
   embed_with_hash(${name} ${whole})
 endfunction()
 
-file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::studies::assets {\n")
+file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::inline v0_1::studies::assets {\n")
 embed(page ${PAGE})
 embed(designer_page ${DESIGNER_PAGE})
 embed(datasheet_page ${DATASHEET})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motion/plant/plant_data.hpp"
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 PlantData plant_data(const MotorDesign& design, const PlantTable& t) {
   const bool has_contact = t.opening_amplitude > 0;
@@ -31,4 +31,4 @@ PlantParameters plant_parameters(const PlantTable& t) {
   return {t.rotor_inertia, t.load_inertia, t.load_damping, t.load_friction, t.off_resistance};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <twum/core/motor_design.hpp>
 #include <twum/motion/plant_table.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// The numbers of a motor as plant.c takes them, without the tables of its contact.
 PlantData plant_data(const MotorDesign& design, const PlantTable& table);
@@ -17,4 +17,4 @@ PlantInputs plant_inputs(const PlantTable& table);
 /// What rotor, load and driver of the design are.
 PlantParameters plant_parameters(const PlantTable& table);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 ContactForces Contact::at(double amplitude, double speed, double frequency, double preload) {
   // The integrator asks for rates and Jacobian at one state.
@@ -79,4 +79,4 @@ ContactForces Contact::solved_at(double amplitude, double speed, double frequenc
           true};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

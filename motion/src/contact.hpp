@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// What the contact does to wave and rotor at one instant.
 struct ContactForces {
@@ -58,4 +58,4 @@ class Contact {
   ContactForces last_{};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

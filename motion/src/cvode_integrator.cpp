@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 // What SUNDIALS makes, and how it is freed.
@@ -266,4 +266,4 @@ std::string integrator_version() {
   return text;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

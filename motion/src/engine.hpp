@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Takes a speed into the largest of a motion.
 inline void take_speed(Motion& motion, double speed) {
@@ -46,4 +46,4 @@ void begin(Engine& engine, const MotionTask& task, const std::vector<Stretch>& s
 /// The motion that an engine makes of a task.
 Motion followed(Engine& engine, const MotionTask& task, const std::vector<Stretch>& stretches);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 // Speed at which the contact of a rotor is taken that is about to stop [rad/s]: the rates then stay smooth up to the event, and
@@ -442,4 +442,4 @@ bool Equations::events(double time, std::span<const double> y, std::span<double>
   return true;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Which way the rotor may move.
 struct Mode {
@@ -120,4 +120,4 @@ class Equations final : public OdeSystem {
   Mode mode_{true, 1};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

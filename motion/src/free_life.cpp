@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kNever = 1e13;  // [s] of running: what is not worn by then does not wear
@@ -221,4 +221,4 @@ FreeLife free_life(const MotorDesign& design, const std::optional<LoadPoint>& lo
   return FreeLifeRun(design, load, options).found();
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

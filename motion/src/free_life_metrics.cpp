@@ -5,7 +5,7 @@
 
 #include <twum/core/motor.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 // The operation for `life` and for worn() without a load.
@@ -36,4 +36,4 @@ double FreeLives::number(const MetricRequest& request) {
   return turns ? life.last.revolutions : life.last.seconds;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

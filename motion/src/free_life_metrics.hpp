@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Metrics of lives with a free profile of one design, each life found once.
 class FreeLives {
@@ -27,4 +27,4 @@ class FreeLives {
   std::list<std::pair<std::optional<LoadPoint>, FreeLife>> lives_;  // references stay valid
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

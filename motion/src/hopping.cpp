@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kLeastSpeed = 1e-3;  // unit of the speed of a rotor that hardly turns [rad/s]
@@ -58,4 +58,4 @@ double hopping_rate(const MotionModel& model, const MotorDesign& design, double 
   return nearest_pole(hopping_poles(model, design, speed, contact), alone).real();
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

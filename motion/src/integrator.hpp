@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A system of differential equations y' = f(t, y) with functions whose zeros are events.
 class OdeSystem {
@@ -66,4 +66,4 @@ class Integrator {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kGrown = 5;  // e^5 = 150: seen and heard
@@ -132,4 +132,4 @@ void add_what_is_left_out(const MotorDesign& design, const MotionTask& task, Mot
   std::ranges::stable_sort(motion.events, {}, &MotionEvent::time);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 Stretch constant_inputs(const MotorDesign& design, double load_torque) {
@@ -318,4 +318,4 @@ double bounce_rate(const MotorDesign& design, double load_torque) {
   return nearest_pole(plant.poles, kI * std::sqrt(-plant.a[rise][height])).real();
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

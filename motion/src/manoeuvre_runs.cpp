@@ -14,7 +14,7 @@
 #include <span>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kReached = 0.9;  // of the steady speed: the end of a start
@@ -254,4 +254,4 @@ Moving ManoeuvreRuns::moving(double value, Slope slope) const {
   return m;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

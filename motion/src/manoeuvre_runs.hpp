@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number with its derivatives in the columns of ModelSlopes; without them only the number.
 struct Moving {
@@ -79,4 +79,4 @@ class ManoeuvreRuns {
   const ModelSlopes* slopes_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

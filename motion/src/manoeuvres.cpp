@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 using M = Metric;
@@ -193,4 +193,4 @@ std::unique_ptr<MotionMetrics> motion_metrics(const MotorDesign& design,
   return std::make_unique<Answers>(design, std::move(wanted));
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 using P = Parameter;
@@ -129,4 +129,4 @@ Complex MotionModel::off_voltage(double omega) const {
          (1.0 + off_resistance * capacitive_admittance(omega));
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 
 #include <complex>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 using Complex = std::complex<double>;
 inline constexpr Complex kI{0, 1};
@@ -53,4 +53,4 @@ struct MotionModel {
   double crest_per_amplitude;  ///< V0 / (r omega A) [1/m]
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 using P = Parameter;
@@ -58,4 +58,4 @@ ModelSlopes::ModelSlopes(const MotorDesign& design, bool fixed_static_friction,
   }
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Derivatives of the numbers of a motion in one parameter of its design: of the model's, and of the drive's.
 struct ModelSlope {
@@ -39,4 +39,4 @@ class ModelSlopes {
   ContactDifferentiator contact_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

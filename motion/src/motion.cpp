@@ -6,7 +6,7 @@
 
 #include <twum/core/parameters.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 const char* to_string(MotionEventKind kind) noexcept {
   switch (kind) {
@@ -79,4 +79,4 @@ const char* to_string(MotionEngine value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

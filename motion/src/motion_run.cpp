@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kReleaseSpeed = 1e-9;  // [rad/s]: past the event, and nothing beside any speed
@@ -263,4 +263,4 @@ Motion MotionRun::finish() {
   return std::move(motion_);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

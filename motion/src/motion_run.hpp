@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// What a metric asks of a motion beside its end.
 struct RunWatch {
@@ -86,4 +86,4 @@ class MotionRun final : public Engine {
   Motion motion_{};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -4,7 +4,7 @@
 #include <twum/base/error.hpp>
 #include <twum/motion/integrator_version.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 struct Integrator::Parts {};
 
@@ -26,4 +26,4 @@ long Integrator::steps() const { return 0; }
 bool has_integrator() noexcept { return false; }
 std::string integrator_version() { return "none"; }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

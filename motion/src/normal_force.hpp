@@ -3,7 +3,7 @@
 
 #include <twum/core/contact_gradients.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Derivatives of a number of the contact by way of the instantaneous normal force N(A, z), which acts as the preload does (M4.5).
 struct NormalForceSlopes {
@@ -15,4 +15,4 @@ inline NormalForceSlopes by_normal_force(const ContactGradients::Number& number,
   return {per_force * contact.normal_per_amplitude, per_force * contact.normal_per_height};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

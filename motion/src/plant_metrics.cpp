@@ -12,7 +12,7 @@
 #include <functional>
 #include <string_view>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 using M = Metric;
@@ -84,4 +84,4 @@ std::array<double, kParameterCount> plant_gradient(const MotorDesign& design,
   return gradient;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

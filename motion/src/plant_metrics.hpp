@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// True for rates and gains of the plant near a steady state.
 bool is_of_plant(Metric metric);
@@ -21,4 +21,4 @@ double plant_number(const MotorDesign& design, const MetricRequest& request);
 std::array<double, kParameterCount> plant_gradient(const MotorDesign& design,
                                                    const MetricRequest& request);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

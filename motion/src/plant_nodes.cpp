@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 // Share of the speed of travel c = omega r / n that a tabulated rotor may reach. The table's last column stands for all larger speeds.
@@ -101,4 +101,4 @@ ContactForces PlantNodes::at(std::size_t amplitude, std::size_t speed_ratio, dou
                      frame_.frequency);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// The contact at the nodes of a plant's table, each solved when it is asked for.
 class PlantNodes {
@@ -37,4 +37,4 @@ class PlantNodes {
   PlantTable frame_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

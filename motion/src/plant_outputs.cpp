@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kRms = std::numbers::sqrt2 / 2;
@@ -92,4 +92,4 @@ void PlantOutputs::add(Signal signal, const Row& in_states, const Row& in_inputs
   c.push_back(in_states), d.push_back(in_inputs);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

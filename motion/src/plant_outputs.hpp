@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// States and inputs of a plant in their order; states of driver and height follow.
 /// @{
@@ -57,4 +57,4 @@ class PlantOutputs {
   Eigen::Index count_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 std::string no_answer(double amplitude, double speed, const std::string& why) {
@@ -62,4 +62,4 @@ std::optional<PlantTable> tabulate(const MotorDesign& design, const PlantTableOp
   return table;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -9,7 +9,7 @@
 #include <complex>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A matrix of rates in units of its states' sizes: in SI these differ by so much that rounding would reach the poles.
 template <typename Matrix, typename Sizes>
@@ -31,4 +31,4 @@ inline Complex nearest_pole(const std::vector<Complex>& poles, Complex place) {
   return *std::ranges::min_element(poles, {}, [&](Complex p) { return std::abs(p - place); });
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 std::string place(std::size_t row) { return "row " + std::to_string(row + 1); }
@@ -53,4 +53,4 @@ double Profile::largest() const {
   return std::ranges::max_element(rows_, {}, &Row::second)->second;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 // What the contact carries of a load at rest: what friction of the load does not, if it can.
@@ -56,4 +56,4 @@ MotionSample sample_at(const Equations& of, double time, std::span<const double>
   return sample;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,9 +7,9 @@
 
 #include <span>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// What a state says of the motor, with a contact of its own.
 MotionSample sample_at(const Equations& equations, double time, std::span<const double> y);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

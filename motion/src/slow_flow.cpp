@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 // R + i I is the force that sustains the wave (D2.3); an index is a derivative.
 SlowFlow slow_flow(const MotionModel& m, double A, double omega, const ForceSlopes& re,
@@ -19,4 +19,4 @@ SlowFlow slow_flow(const MotionModel& m, double A, double omega, const ForceSlop
   return {D, a};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number of the contact and its derivatives in amplitude and speed.
 struct ForceSlopes {
@@ -22,4 +22,4 @@ SlowFlow slow_flow(const MotionModel& model, double amplitude, double omega,
                    const ForceSlopes& reactive, const ForceSlopes& active,
                    const ForceSlopes& torque);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// States of every motion: zeta = A e^(-i phi) in Cartesian parts, Omega, theta_r, the electrical energy, and the angle by which zeta
 /// has turned while the drive is off. Then only A counts for all else; a zeta that stood for its phase, too, would turn
@@ -47,4 +47,4 @@ class StatePlaces {
 inline constexpr std::size_t kMostStates = kBaseStates + 6;
 using States = std::array<double, kMostStates>;
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -13,7 +13,7 @@
 #include <span>
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -162,4 +162,4 @@ std::vector<double> steady_slopes(Equations& equations, const States& y, std::si
   return slopes;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

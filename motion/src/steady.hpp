@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// The steady running state under the inputs at the beginning of the equations' stretch, of a wave that
 /// runs forward, to rounding.
@@ -16,4 +16,4 @@ States steady_state(const MotorDesign& design, Equations& equations);
 /// @throws InputError where the contact has no answer
 std::vector<double> steady_slopes(Equations& equations, const States& y, std::size_t columns);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

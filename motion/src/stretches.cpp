@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 void require_values(const Profile& profile, Parameter parameter) {
@@ -114,4 +114,4 @@ std::vector<Stretch> stretches_of(const MotionTask& task, bool driven,
   return stretches;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number that is linear in time.
 struct Ramp {
@@ -33,4 +33,4 @@ inline constexpr double kSameTime = 1e-12;
 std::vector<Stretch> stretches_of(const MotionTask& task, bool driven,
                                   const std::vector<double>& more = {});
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 double Watch::pull_out_amplitude() const {
   const double started = kStarted * equations_->model().full_contact_amplitude;
@@ -59,4 +59,4 @@ std::vector<MotionEvent> Watch::events(const Integrator& integrator, double begi
   return found;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 inline constexpr double kStarted =
     3;  ///< times A_1, a wave that has started: the contact has opened over most of it
@@ -35,4 +35,4 @@ class Watch {
   bool overruns_{false};  ///< and has not driven since
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kMostShare = 3;  // of its even share, beyond which the wear localizes
@@ -82,4 +82,4 @@ std::optional<WearEndAt> WearEnds::within(const DepthsAt& depths_at, double begi
   return first;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

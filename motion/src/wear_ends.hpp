@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// What may end the life of a track of which each radius wears by itself.
 struct WearEnd {
@@ -53,4 +53,4 @@ class WearEnds {
   std::vector<WearEnd> limits_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 double value_or_reason(const MetricValue& found) {
   if (found.status != MetricStatus::ok) throw WithoutValue{found.status};
@@ -20,4 +20,4 @@ void require_running(const MotorDesign& design, double torque) {
       motor, {Metric::speed_at, Argument::torque, std::max(torque + friction, 0.0)}));
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

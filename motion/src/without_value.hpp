@@ -4,7 +4,7 @@
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor_design.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Thrown where a metric of a motion has no value, with the reason.
 struct WithoutValue {
@@ -18,4 +18,4 @@ double value_or_reason(const MetricValue& found);
 /// @throws WithoutValue with the status of speed_at, and `undefined` for a motor without preload or friction: its rotor is free
 void require_running(const MotorDesign& design, double torque);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

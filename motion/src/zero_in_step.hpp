@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Where a function of time that falls through zero between two times does so: bisection, to 1e-12 of their distance.
 template <typename Function>
@@ -26,4 +26,4 @@ inline std::optional<double> time_of_peak(const Integrator& integrator, double b
   return falls_through_zero(begin, integrator.time(), gain);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 using stator::StatorGeometry;
@@ -116,4 +116,4 @@ std::string deck_text(const Sector& sector, const StatorGeometry& geometry, int 
          "\n*NODE PRINT, NSET=ALL, GLOBAL=YES\nU\n*NODE FILE, GLOBAL=YES\nU\n*END STEP\n";
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

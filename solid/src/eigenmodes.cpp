@@ -7,7 +7,7 @@
 #include <istream>
 #include <string>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 // CalculiX prints seven digits, so that the two modes of a wave agree to 1e-6; different modes that are as near are not told apart.
@@ -100,4 +100,4 @@ std::vector<Eigenmode> read_eigenmodes(std::istream& dat, const Sector& sector) 
   return modes;
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

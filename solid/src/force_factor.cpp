@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -102,4 +102,4 @@ Complex ceramic_stretch(const Sector& sector, int nodal_diameters, const Eigenmo
   return sum;
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

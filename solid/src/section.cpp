@@ -6,7 +6,7 @@
 
 #include <complex>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 // Nodes of the first face along the circumference, round about.
@@ -62,4 +62,4 @@ std::vector<BentFace> bent_section(const Sector& sector, int nodal_diameters, do
   return faces;
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

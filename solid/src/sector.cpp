@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 using stator::StatorGeometry;
@@ -166,4 +166,4 @@ Sector make_sector(const StatorGeometry& g, int wavelengths, double contact_radi
   return sector;
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 using stator::StatorGeometry;
@@ -105,4 +105,4 @@ std::vector<double> axial_lines(const StatorGeometry& g, double web_bottom,
   return divided(distinct(lines, kSameLine * g.substrate.outer_radius), size);
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

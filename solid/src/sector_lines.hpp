@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// A layer of the stator at one radius. Heights are above the bottom of the metal.
 struct SolidLayer {
@@ -38,4 +38,4 @@ double inner_radius(const stator::StatorGeometry& geometry);
 /// True if slots cut the stator into teeth.
 bool has_slots(const stator::StatorGeometry& geometry);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

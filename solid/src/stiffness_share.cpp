@@ -5,7 +5,7 @@
 #include <twum/base/scalar_search.hpp>
 #include <twum/stator/stator_model.hpp>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 FittedShare fit_stiffness_share(const stator::StatorGeometry& geometry, int wavelengths,
                                 double contact_radius, double frequency) {
@@ -26,4 +26,4 @@ FittedShare fit_stiffness_share(const stator::StatorGeometry& geometry, int wave
   return fitted;
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 // Indices of the nodes on the top of each line of constant radius, in the order of their angles.
@@ -62,4 +62,4 @@ const SurfaceMotion& at_radius(const std::vector<SurfaceMotion>& surface, double
                            });
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

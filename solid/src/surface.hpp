@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// Motion of the top of the stator at one radius: the mean of u e^(-i n phi) over the top, which of teeth is their tips (F2.1).
 struct SurfaceMotion {
@@ -23,4 +23,4 @@ std::vector<SurfaceMotion> surface_motion(const Sector& sector, int nodal_diamet
 /// That of the line nearest to a radius [m].
 const SurfaceMotion& at_radius(const std::vector<SurfaceMotion>& surface, double radius);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 namespace {
 
 using stator::StatorGeometry;
@@ -110,4 +110,4 @@ SolidWave solid_wave(const Sector& sector, const StatorGeometry& geometry, int w
   return wave_of(sector, geometry, wavelengths, contact_radius, modes, chosen);
 }
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

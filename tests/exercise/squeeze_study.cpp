@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 class SqueezeRun : public StudyKindRun {
@@ -90,4 +90,4 @@ std::vector<Section> sections_of(const SqueezeResult& answer, const Sources& /*s
 }
 
 }  // namespace telling
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -70,6 +70,8 @@ FAULTS = [
     ("sources", "scripts/x.py", "print()\n", "first three lines"),
     ("sources", "README.md", "see /home/" + "me/x\n", "points outside"),
     ("sources", "tests/core/a_test.cpp", 'TEST_CASE("one; two") {}\n', "must do without"),
+    ("namespaces", "core/src/contact/a.cpp", "namespace twum::core {\nint a;\n}\n", "expected 'namespace twum::inline v1_2'"),
+    ("namespaces", "core/src/contact/a.cpp", "namespace twum::inline v1_1 {\nint a;\n}\n", "the version of version.hpp"),
     ("links", "README.md", "[gone](docs/gone.md)\n", "does not exist"),
     ("links", "README.md", "[gone](docs/theory/a.md#two)\n", "no heading #two"),
     ("links", "README.md", "`core/src/gone.cpp`\n", "does not exist"),

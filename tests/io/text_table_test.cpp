@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace twum::io {
+using namespace twum::io;
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -89,5 +89,3 @@ TEST_CASE("no line is wider than asked, and no word is lost", "[files][table]") 
   const std::multiset<std::string> shown = words_of(text), all = words_of(aligned(table));
   CHECK(std::includes(shown.begin(), shown.end(), all.begin(), all.end()));
 }
-
-}  // namespace twum::io

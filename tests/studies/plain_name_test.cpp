@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace twum::studies {
+using namespace twum::studies;
 
 TEST_CASE("names are read as words", "[studies][names]") {
   CHECK(plain_name("peak_power") == "peak power");
@@ -35,5 +35,3 @@ TEST_CASE("limits are read with the signs of mathematics", "[studies][names]") {
   CHECK(plain_limit("no_load_speed == 150 rpm +- 3 %") == "no-load speed = 150 rpm ± 3 %");
   CHECK(plain_limit("peak_power") == "peak power");
 }
-
-}  // namespace twum::studies

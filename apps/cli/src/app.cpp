@@ -24,7 +24,7 @@
 #include <stdexcept>
 #include <typeinfo>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kExamples = R"text(Examples:
@@ -180,4 +180,4 @@ int run(int argc, char** argv) {
   });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

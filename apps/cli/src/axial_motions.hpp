@@ -5,10 +5,10 @@
 
 #include <array>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Words of --axial.
 inline constexpr std::array kAxialMotions{motion::AxialMotion::balanced,
                                           motion::AxialMotion::dynamic};
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

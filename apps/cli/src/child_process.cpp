@@ -14,7 +14,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 int wait_for(pid_t child, const std::string& name) {
@@ -80,4 +80,4 @@ ChildEnd run_program(const std::vector<std::string>& words, std::FILE* in, std::
   return {true, wait_for(*child, words.front())};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A file of the C library that closes itself.
 struct CloseFile {
@@ -59,4 +59,4 @@ std::optional<pid_t> started_program(std::vector<std::string> words, const FileA
 ChildEnd run_program(const std::vector<std::string>& words, std::FILE* in, std::FILE* out,
                      std::FILE* errors);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

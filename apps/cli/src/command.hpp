@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// The work of a command; returns an exit status.
 using Action = std::function<int()>;
@@ -39,4 +39,4 @@ void add_solvers(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_init(CLI::App& app, Action& action);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

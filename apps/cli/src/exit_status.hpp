@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Exit status of the program.
 enum ExitStatus : int {
@@ -12,4 +12,4 @@ enum ExitStatus : int {
   kInterrupted = 130
 };
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

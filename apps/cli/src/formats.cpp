@@ -19,7 +19,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Endings that say nothing of a format: none, those of plain text, and numbers, as of "run-1.5".
@@ -111,4 +111,4 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

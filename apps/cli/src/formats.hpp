@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Format and destination of a result.
 struct OutputOptions {
@@ -49,4 +49,4 @@ std::string rounded_cell(double value, const ColumnScale& scale);
 /// Numbers in rows under a heading of "name [unit]" columns, as CSV.
 std::string csv_line(const std::vector<std::string>& cells);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

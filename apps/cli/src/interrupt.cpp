@@ -13,7 +13,7 @@
 #include <cstring>
 #include <ctime>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr long kMillisecond = 1000000;  // [ns]
@@ -156,4 +156,4 @@ StopOnInterrupt::StopOnInterrupt()
         }
       }) {}
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

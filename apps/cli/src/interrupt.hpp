@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// The first Ctrl-C (or SIGTERM) sets a flag, so that work in progress can be finished and written. If that takes
 /// longer than 0.8 s, the program exits with kInterrupted. A second signal ends it at once. A closed pipe or a file
@@ -37,4 +37,4 @@ class StopOnInterrupt {
   std::jthread watcher_;
 };
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -38,4 +38,4 @@ std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 using Json = nlohmann::ordered_json;
 
@@ -28,4 +28,4 @@ Json parameter_units_json(const studies::MotorFile& motor);
 /// The text of a JSON document, with line end. Bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // See docs/decisions/licences.md.
@@ -37,4 +37,4 @@ std::string version_text() {
   return text + "\nlicence of this program: " + licence(has("GSL"), has("Ipopt"));
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

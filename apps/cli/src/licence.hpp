@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Name and version, the linked solver libraries, and the resulting licence.
 std::string version_text();
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

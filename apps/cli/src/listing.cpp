@@ -7,7 +7,7 @@
 
 #include <twum/io/csv.hpp>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string as_table(const Listing& listing, std::size_t width) {
@@ -68,4 +68,4 @@ std::string to_text(const Listing& listing, const std::string& format, std::size
   return format == "markdown" ? as_markdown(listing) : as_table(listing, width);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A table that a command prints: one heading for each column, one row for each item.
 struct Listing {
@@ -17,4 +17,4 @@ struct Listing {
 /// The listing as "table", "csv", "json" or "markdown" (the page in docs/reference).
 std::string to_text(const Listing& listing, const std::string& format, std::size_t width = 0);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -11,7 +11,7 @@
 
 #include <cstdio>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least) {
   const CLI::Option* speed =
@@ -52,4 +52,4 @@ std::optional<double> speed_of(const LoadOptions& options, const Motor& motor) {
   return {};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

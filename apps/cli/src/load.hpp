@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// --speed and --torque: one of them, or both, select the operating point of a motor.
 struct LoadOptions {
@@ -30,4 +30,4 @@ void add_held_load_options(CLI::App& command, LoadOptions& options);
 /// reason on standard error and returns nothing.
 std::optional<double> speed_of(const LoadOptions& options, const Motor& motor);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // The lines with a caret in red, for a terminal that may show colours.
@@ -33,4 +33,4 @@ void say_with_red_carets(std::string_view text) {
   std::fprintf(stderr, "%s\n", with_colour(studies::printable_lines(text)).c_str());
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

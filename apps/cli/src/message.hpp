@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Prints a line, or several, to the standard error. Control characters, which names of files may contain and terminals obey,
 /// are shown as \xNN.
@@ -12,4 +12,4 @@ void say(std::string_view text);
 /// The same, with the lines that hold a caret in red.
 void say_with_red_carets(std::string_view text);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string shown_metric(const MetricValue& value, const std::string& unit) {
@@ -87,4 +87,4 @@ Json comparison_json(const ModelComparison& comparison) {
   return json;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

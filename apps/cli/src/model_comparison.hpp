@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Metrics of a motor by two models of its contact.
 struct ModelComparison {
@@ -34,4 +34,4 @@ std::string comparison_text(const ModelComparison& comparison);
 /// {"slices": number of each panel, first name: {metric: SI value}, second name: {metric: SI value}}
 Json comparison_json(const ModelComparison& comparison);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 void print_model_notes(const MotorDesign& design, std::span<const std::string> said) {
   for (const studies::ModelNote& note : studies::model_notes_at_length(design)) {
@@ -26,4 +26,4 @@ void explain_reasons(const std::set<std::string>& reasons) {
   }
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Prints the reasons to doubt the model for this motor on standard error, one line each.
 /// @param said  notes that were shown before; a note is left out if one of these is its beginning
@@ -17,4 +17,4 @@ void print_model_notes(const MotorDesign& design, std::span<const std::string> s
 /// @param reasons  words such as "no-periodic-state"; unknown words are ignored
 void explain_reasons(const std::set<std::string>& reasons);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

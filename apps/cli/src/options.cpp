@@ -12,7 +12,7 @@
 #include <array>
 #include <charconv>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr std::array kBranches{Branch::running, Branch::dead};
@@ -121,4 +121,4 @@ double more_than_zero(const std::string& option, double value, const std::string
   throw InputError(option + ": " + studies::quoted(text) + "; expected more than 0");
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -13,7 +13,7 @@ class App;
 class Validator;
 }  // namespace CLI
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// MOTOR and --set, common to many commands, and --branch of the commands that show one wave.
 struct MotorOptions {
@@ -69,4 +69,4 @@ double parse_inertia(const std::string& option, std::string_view text);
 /// A value given to an option that has to be more than 0. @throws InputError with the option and its text
 double more_than_zero(const std::string& option, double value, const std::string& text);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 Output::Output(std::string path, const std::vector<std::string>& inputs)
     : path_(path == "-" ? "" : std::move(path)) {
@@ -54,4 +54,4 @@ void Output::fail() {
                     ": cannot be written: " + std::strerror(reason));
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

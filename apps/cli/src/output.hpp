@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A result could not be written.
 class OutputError : public Error {
@@ -49,4 +49,4 @@ class Output {
   std::FILE* file_{nullptr};
 };
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using stator::StatorModel;
@@ -89,4 +89,4 @@ Json plate_json(const MotorDesign& design, std::size_t modes, Json& units) {
   return json;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A mode of the plate as `twum stator` lists it.
 struct ListedMode {
@@ -27,4 +27,4 @@ std::string plate_text(const MotorDesign& design, std::size_t modes);
 /// The same as JSON with the radial shape; adds the units of its entries.
 Json plate_json(const MotorDesign& design, std::size_t modes, Json& units);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

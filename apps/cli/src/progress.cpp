@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string bar_text(const ProgressState& now) {
@@ -101,4 +101,4 @@ std::string duration_text(double seconds) {
   return std::to_string(rounded(3600)) + " h";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

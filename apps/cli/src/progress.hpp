@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Progress of a command.
 struct ProgressState {
@@ -47,4 +47,4 @@ bool may_colour_errors();
 /// An estimate of seconds as "42 s", "3 min" or "5 h".
 std::string duration_text(double seconds);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

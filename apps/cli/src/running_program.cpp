@@ -11,7 +11,7 @@
 #include <csignal>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 std::optional<RunningProgram> RunningProgram::start(const std::vector<std::string>& words,
                                                     const std::string& folder,
@@ -53,4 +53,4 @@ bool RunningProgram::ended() {
   return status_.has_value();
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A program that runs beside this one, without a shell in between. It is killed with the object.
 class RunningProgram {
@@ -35,4 +35,4 @@ class RunningProgram {
   std::optional<int> status_{};
 };
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 namespace fs = std::filesystem;
 
@@ -26,4 +26,4 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A private folder among the temporary files, removed with all that is in it.
 class ScratchFolder {
@@ -22,4 +22,4 @@ class ScratchFolder {
   std::string path_;
 };
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string text_of(const studies::StudyResult& result, const std::string& format) {
@@ -69,4 +69,4 @@ int run_study_command(const StudyCommand& options, studies::Study asked) {
   return result.outcome == studies::StudyOutcome::done ? kDone : kNoAnswer;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

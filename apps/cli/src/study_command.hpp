@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A command that asks what a kind of study asks, of one motor: runs it without a directory, writes the answer, and draws its
 /// first picture.
@@ -34,4 +34,4 @@ void set_load(Study& asked, const LoadOptions& options) {
 /// @return the exit status
 int run_study_command(const StudyCommand& options, studies::Study asked);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 std::optional<std::size_t> terminal_width(int descriptor) {
   if (isatty(descriptor) == 0) return {};
@@ -21,4 +21,4 @@ bool dumb_terminal() {
   return terminal == nullptr || std::string_view(terminal) == "dumb";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

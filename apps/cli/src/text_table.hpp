@@ -3,9 +3,9 @@
 
 #include <twum/io/text_table.hpp>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 using studies::aligned;
 using studies::TextTable;
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

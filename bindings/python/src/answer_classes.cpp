@@ -8,7 +8,7 @@
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 // The enumeration value with this word. The values count from 0 without a gap up to `last`.
@@ -174,4 +174,4 @@ void add_answer_classes(py::module_& module) {
   add_derivative(module);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

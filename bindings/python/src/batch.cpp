@@ -21,7 +21,7 @@
 #include <set>
 #include <variant>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 // A column of values of one parameter. A single value applies to every design.
@@ -425,4 +425,4 @@ void add_batch(py::module_& module) {
              "and Ctrl-C ends it. `stop` and `progress` are those of evaluate().");
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

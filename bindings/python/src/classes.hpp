@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// A motor in Python: it has a name and is immutable.
 struct PyMotor {
@@ -58,7 +58,7 @@ void add_pickling(py::class_<T, Options...>& type, State state, FromState from_s
   });
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python
 
 namespace pybind11::detail {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 [[noreturn]] void refuse_type(const std::string& name, py::handle value, std::string_view unit,
@@ -212,4 +212,4 @@ py::object attribute_of_results(const char* name) {
   return py::module_::import("twum.results").attr(name);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

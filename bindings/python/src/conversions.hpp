@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 namespace py = pybind11;
 
@@ -77,4 +77,4 @@ py::list list_of(const Rows& rows, Entry entry) {
 /// A class of the module twum.results, which holds what calls return.
 py::object attribute_of_results(const char* name);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

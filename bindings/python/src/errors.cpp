@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 // The exceptions of Python. They live as long as the process, as the module does.
@@ -97,4 +97,4 @@ void add_errors(py::module_& module) {
   py::register_exception_translator(translate);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

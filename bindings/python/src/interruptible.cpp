@@ -9,7 +9,7 @@
 #include <mutex>
 #include <set>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 // The calls that run. It lives as long as the process.
@@ -86,4 +86,4 @@ void Watch::tell(std::uint64_t done, std::uint64_t total, const std::string& bes
   if (!progress_.is_none()) progress_(done, total, best);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

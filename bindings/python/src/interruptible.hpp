@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <utility>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// A long call of the module while it runs, from its first line to its return. The interpreter's end asks all of them
 /// to stop and waits for them: a thread of C++ that were still within one when the interpreter is gone would end the
@@ -99,4 +99,4 @@ auto run_interruptible(RunningCall& call, Work work, Poll poll) {
   return result.get();
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

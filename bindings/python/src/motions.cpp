@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using namespace motion;
@@ -240,4 +240,4 @@ void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor) {
             "rotor's height\nand its rate are states, too.");
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using Class = py::class_<PyMotor, std::shared_ptr<PyMotor>>;
@@ -191,4 +191,4 @@ void add_motor(py::module_& module) {
   add_motions(motor);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using Class = py::class_<PyMotor, std::shared_ptr<PyMotor>>;
@@ -317,4 +317,4 @@ void add_answers(Class& motor) {
             "wave, and its zones.");
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

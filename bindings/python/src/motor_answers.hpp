@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// OperatingPoint and Derivative.
 void add_answer_classes(py::module_& module);
@@ -17,4 +17,4 @@ void add_answers(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor);
 /// Motions and linear plants as members of Motor.
 void add_motions(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

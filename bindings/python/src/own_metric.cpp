@@ -10,7 +10,7 @@
 #include <array>
 #include <memory>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 // A function of Python that threads without the GIL may copy and drop.
@@ -65,4 +65,4 @@ studies::OwnMetric to_own_metric(const py::object& function, const py::object& n
   return own;
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// A metric that a function of Python computes: function(motor) gives its value, gradient(motor) a dict from names of parameters to
 /// derivatives, in which those that are missing are 0. Both are called with the GIL, on any thread. What they raise ends the
@@ -19,4 +19,4 @@ studies::OwnMetric to_own_metric(const py::object& function, const py::object& n
                                  const py::object& gradient, const std::string& unit,
                                  const std::string& motor);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

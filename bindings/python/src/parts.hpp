@@ -5,7 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 namespace py = pybind11;
 
@@ -17,4 +17,4 @@ void add_batch(py::module_& module);
 void add_problem(py::module_& module);
 void add_study(py::module_& module);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

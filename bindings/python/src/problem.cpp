@@ -15,7 +15,7 @@
 #include <array>
 #include <memory>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using namespace py::literals;
@@ -428,4 +428,4 @@ void add_problem(py::module_& module) {
   add_pickling(problem, problem_state, problem_from);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

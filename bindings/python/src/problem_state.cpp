@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 using namespace py::literals;
 using studies::DesignProblem;
@@ -113,4 +113,4 @@ PyProblem problem_from(const py::object& state) {
   return self;
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -3,7 +3,7 @@
 
 #include "classes.hpp"
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// A question as plain Python values: the motor as the text of its file, and the arguments of the calls that built
 /// it.
@@ -12,4 +12,4 @@ py::dict problem_state(const PyProblem& self);
 /// The question that has this state.
 PyProblem problem_from(const py::object& state);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -21,7 +21,7 @@
 #include <tuple>
 #include <vector>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 struct Progress {
@@ -199,4 +199,4 @@ void add_study(py::module_& module) {
       "The same for a study file given as a dictionary, of a Motor if `motor` is one.");
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using io::Schema;
@@ -116,4 +116,4 @@ YamlNode to_node(const std::string& path, py::handle value, const Schema& schema
   return scalar_of(path, value, schema);
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

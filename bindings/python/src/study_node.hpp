@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 
 /// What stands in a study file for a dictionary, list, number, path or text of Python. A number in place of a quantity is in
 /// its SI unit.
@@ -16,4 +16,4 @@ namespace twum::python {
 /// @throws TypeError for anything else, InputError for NaN, both naming the entry
 io::YamlNode to_node(const std::string& path, py::handle value, const io::Schema& schema);
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -10,7 +10,7 @@
 #include <twum/io/words.hpp>
 #include <twum/optim/solvers.hpp>
 
-namespace twum::python {
+namespace twum::inline v0_1::python {
 namespace {
 
 using namespace py::literals;
@@ -83,4 +83,4 @@ void add_tables(py::module_& module) {
       "um', speeds are in rpm.");
 }
 
-}  // namespace twum::python
+}  // namespace twum::inline v0_1::python

@@ -23,7 +23,7 @@
 
 #define TWUM_EXPORT(name) extern "C" __attribute__((export_name(#name), used))
 
-namespace twum::wasm {
+namespace twum::inline v0_1::wasm {
 namespace {
 
 std::vector<double> input;
@@ -255,4 +255,4 @@ TWUM_EXPORT(notes) int notes(int at_length) {
   });
 }
 
-}  // namespace twum::wasm
+}  // namespace twum::inline v0_1::wasm

@@ -4,7 +4,7 @@
 #include "metrics/heat_metrics.hpp"
 #include "metrics/wear_metrics.hpp"
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 double stator_housing_conductance(const MotorDesign& design) {
   return design.thermal ? design.thermal->conductances.stator_housing.value_or(kNoValue) : kNoValue;
@@ -17,9 +17,9 @@ double stator_heat_capacity(const MotorDesign& design) {
 }
 void add_stator_heat(const MotorDesign& /*given*/, ParameterArray<Dual<double, 1>>& /*values*/) {}
 
-}  // namespace twum
+}  // namespace twum::inline v0_1
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 MetricValue HeatMetrics::evaluate(const MetricRequest& /*request*/) {
   return {kNoValue, MetricStatus::undefined};
@@ -37,4 +37,4 @@ MetricDerivative WearMetrics::differentiate(const MetricRequest& request, bool /
   return no_derivative(evaluate(request));
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 
 #include <twum/base/no_value.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 MetricValue HeldMetrics::evaluate(const MetricRequest& /*request*/) {
   return {kNoValue, MetricStatus::undefined};
@@ -16,4 +16,4 @@ MetricDerivative HeldMetrics::differentiate(const MetricRequest& request, bool /
   return none;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

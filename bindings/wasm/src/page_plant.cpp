@@ -10,7 +10,7 @@
 #include <exception>
 #include <limits>
 
-namespace twum::wasm {
+namespace twum::inline v0_1::wasm {
 namespace {
 
 constexpr int kNeighbours = 4;  // rows, and columns, that are read at once
@@ -72,4 +72,4 @@ void PagePlant::solve_node(Side& side, double sign, std::size_t row, std::size_t
   side[2][place] = static_cast<float>(f.stiffness.imag());
 }
 
-}  // namespace twum::wasm
+}  // namespace twum::inline v0_1::wasm

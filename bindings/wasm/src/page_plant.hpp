@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::wasm {
+namespace twum::inline v0_1::wasm {
 
 /// A motor in time, by the stepper that an FMU carries. Its table has the nodes of an FMU, each of which is solved when a motion
 /// first comes near it: some thousand of 33,000.
@@ -43,4 +43,4 @@ class PagePlant {
   std::string failure_;  // of the stepper, or of a node without an answer; ends the motion
 };
 
-}  // namespace twum::wasm
+}  // namespace twum::inline v0_1::wasm

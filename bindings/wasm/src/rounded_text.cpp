@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 // Replaces the function of the library, which writes the same with std::to_chars, whose tables would be an eighth of
 // the module. WebAssembly has one locale only.
@@ -13,4 +13,4 @@ std::string rounded_text(double value, int digits) {
   return {buffer, static_cast<std::size_t>(size)};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace twum::wasm {
+namespace twum::inline v0_1::wasm {
 namespace {
 
 double number(std::span<const double> numbers, StatedNumber place) {
@@ -43,4 +43,4 @@ MotorDesign design_of(std::span<const double> numbers) {
   return with(frame_of(numbers), values);
 }
 
-}  // namespace twum::wasm
+}  // namespace twum::inline v0_1::wasm

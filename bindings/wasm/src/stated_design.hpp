@@ -6,7 +6,7 @@
 #include <span>
 
 /// A design as a list of numbers, the form that the page uses; internal.
-namespace twum::wasm {
+namespace twum::inline v0_1::wasm {
 
 /// Positions of the numbers that follow the parameters.
 enum class StatedNumber : unsigned char {
@@ -21,4 +21,4 @@ enum class StatedNumber : unsigned char {
 /// @throws InputError if values are not admissible or are not those of a valid motor
 MotorDesign design_of(std::span<const double> numbers);
 
-}  // namespace twum::wasm
+}  // namespace twum::inline v0_1::wasm

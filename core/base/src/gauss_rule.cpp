@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 GaussRule made(int nodes) {
@@ -31,4 +31,4 @@ const GaussRule& gauss_rule(int nodes) {
   return place->second;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 constexpr std::size_t kMostCalls = 120;
@@ -95,4 +95,4 @@ double zero_or_last_value(std::string_view sought, FunctionRef<double(double)> f
   return closed_in(sought, f, Bracket{good, bad, at_good, at_bad}, bits).nearest();
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

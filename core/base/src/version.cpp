@@ -5,7 +5,7 @@
 #define TWUM_TEXT(major, minor, patch) \
   TWUM_QUOTED(major) "." TWUM_QUOTED(minor) "." TWUM_QUOTED(patch)
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 const char* version() noexcept {
   return TWUM_TEXT(TWUM_VERSION_MAJOR, TWUM_VERSION_MINOR, TWUM_VERSION_PATCH);
@@ -13,4 +13,4 @@ const char* version() noexcept {
 
 const char base::TWUM_NAME_WITH_VERSION(TWUM_VERSION_MAJOR, TWUM_VERSION_MINOR) = 1;
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

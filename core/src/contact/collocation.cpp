@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr std::size_t kPoints = Collocation::N;
@@ -84,4 +84,4 @@ const Collocation& Collocation::points() {
   return collocation;
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

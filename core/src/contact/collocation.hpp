@@ -3,7 +3,7 @@
 
 #include "contact/small_system.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Collocation at the Radau points of a step, the last of which is its end: of order 2 N - 1 at the end, and stable however
 /// stiff the equation is (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5).
@@ -30,4 +30,4 @@ struct Collocation {
   Collocation();
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -3,7 +3,7 @@
 
 #include <twum/base/dual.hpp>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Sine, cosine and versine 1 - cos of a phase. Contacts may be small: pressures are differences of
 /// versines, which keep full relative accuracy where cosines are all nearly one.
@@ -91,4 +91,4 @@ struct ContactMeans {
   S reactive_force;  ///< <t sin theta> (D1.6); forces on the wave are in units of 2 pi r b P kappa a
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// A function at one place, with what is known of it from there to the end of the zone.
 template <typename S>
@@ -219,4 +219,4 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr double kParted = 1e-3;  // of the contact's half, more than the ends of zones move
@@ -214,4 +214,4 @@ S jump_margin(const ContactNumbers<S>& numbers, const Jump& jump) {
 TWUM_FOR_EACH_MARGIN_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

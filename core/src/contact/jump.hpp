@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// The place in the laps of two nearly equal contacts from which on they differ by more than a little (W4.5): with mu_0 > mu a zone
 /// may begin with a length at once, and all that follows jumps. The laps begin at rest, or in the periodic state that only one of
@@ -34,4 +34,4 @@ std::optional<Jump> jump_between(const ContactNumbers<double>& a, const ContactN
 template <typename S>
 S jump_margin(const ContactNumbers<S>& numbers, const Jump& jump);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// What a processor adds and multiplies at once: 1, 2, 4 or 8 numbers. One at a time is what tests compare the others with.
 enum class LaneWidth : unsigned char { single, baseline, avx2, avx512 };
@@ -45,4 +45,4 @@ struct LaneBatch {
 using LaneCode = void(const LayerMotion<double>& layer, LaneBatch& batch);
 LaneCode run_lanes_baseline, run_lanes_avx2, run_lanes_avx512;
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 void put(ContactNumbers<LaneArray>& n, int lane, const ContactNumbers<double>& contact) {
@@ -78,4 +78,4 @@ void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, Lane
   }
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// What this processor can run, the widest last. The numbers are the same for all, to the last bit.
 std::span<LaneCode* const> lane_codes();
@@ -26,4 +26,4 @@ struct LaneLap {
 void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps,
                  LaneCode& code = *lane_codes().back());
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -17,7 +17,7 @@
 #define TWUM_FLATTEN [[gnu::flatten]]
 #endif
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// sigma v_rel along a slip zone, as SlipCurve but for the steps of (E4.6).
 template <LaneWidth W>
@@ -295,4 +295,4 @@ class LaneRunner {
   Mask starts_at_zero_, starts_flat_;  // slip zones after others, and those after stick
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <type_traits>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// How many lanes are one vector.
 template <LaneWidth W>
@@ -200,4 +200,4 @@ Lanes<W> load_shape(const Lanes<W>& theta, const Trig<Lanes<W>>& at) {
   return select(large, at.sin - theta * at.cos, load_shape_series(theta));
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

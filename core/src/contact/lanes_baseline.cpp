@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/lane_runner.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 // All that it calls is compiled into it: no other function of this source is left for programs on other processors to take.
 TWUM_FLATTEN void run_lanes_baseline(const LayerMotion<double>& layer, LaneBatch& batch) {
@@ -10,4 +10,4 @@ TWUM_FLATTEN void run_lanes_baseline(const LayerMotion<double>& layer, LaneBatch
     LaneRunner<kThis>(layer, batch, lane).run();
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -3,7 +3,7 @@
 
 #include "contact/lap_runner.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 template <>
 Lap<double> run_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
@@ -74,4 +74,4 @@ Lap<double> follow_states(const ContactNumbers<double>& numbers, const LayerMoti
   return followed<false>(numbers, layer, entry, near);
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

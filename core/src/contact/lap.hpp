@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Where a lap is: phase and layer.
 template <typename S>
@@ -143,4 +143,4 @@ Lap<double> follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<
 Lap<double> follow_states(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                           const LapEntry<double>& entry, const ZoneSequence& near);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

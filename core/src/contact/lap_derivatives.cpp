@@ -2,7 +2,7 @@
 // Laps with derivatives.
 #include "contact/lap_runner.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
@@ -35,4 +35,4 @@ TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_MARGIN_DUAL(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

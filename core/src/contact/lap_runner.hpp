@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 // Unnamed, so that each source has a class of its own: GCC then inlines a function of any length that only one place calls.
 namespace {
 
@@ -215,4 +215,4 @@ class LapRunner {
 
 }  // namespace
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

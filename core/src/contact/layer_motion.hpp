@@ -9,7 +9,7 @@
 #include <numbers>
 #include <type_traits>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// State of the layer: strain e and its derivative in theta. Without inertia only e counts.
 template <typename S>
@@ -233,4 +233,4 @@ class LayerMotion {
   S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Up to here load_shape_series() is as good as the closed form: its first dropped term is 5e-16 of the sum,
 /// and the closed form loses 3 eps / t^2 = 1.4e-15 by rounding.
@@ -73,4 +73,4 @@ CrestContact<S> crest_contact(const S& peak) {
   return {angle, detail::crest_load(peak, angle, edge), edge};
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -63,4 +63,4 @@ double contact_half_angle(double load) {
   return t;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -7,7 +7,7 @@
 #include "contact/scalars.hpp"
 #include "contact/widened.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 // One Newton step of the fixed point in S; the values are known, only derivatives come in. Where the
@@ -127,4 +127,4 @@ TWUM_INSTANTIATE(NumbersDual)
 TWUM_INSTANTIATE(NumbersDual2)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr int kMaxLaps = 1500;
@@ -338,4 +338,4 @@ PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                         : searched_state(numbers, layer, guess, accuracy);
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

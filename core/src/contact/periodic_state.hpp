@@ -4,7 +4,7 @@
 #include "contact/lap.hpp"
 #include "contact/return_map.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 enum class PeriodicStatus : unsigned char {
   ok,
@@ -76,4 +76,4 @@ template <typename S>
 ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
                                const ContactNumbers<double>& values, const PeriodicState& state);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -4,7 +4,7 @@
 #include "contact/first_zero.hpp"
 #include "contact/slip_step.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// A sum of waves c + b theta + k cos theta + s sin theta in the plane: what sticks moves so.
 template <typename S>
@@ -129,4 +129,4 @@ void add_stick(const ContactNumbers<S>& n, const PlaneWave<S>& t, const PlaneWav
                   (b * b * span + 2.0 * b * k * d_sin + k * k * cos_cos + q * q * sin_sin);
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

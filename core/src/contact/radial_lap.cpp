@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 using std::numbers::pi;
@@ -363,4 +363,4 @@ TWUM_INSTANTIATE(WithPlaneState<MotionDual>::Type)
 TWUM_INSTANTIATE(WithPlaneState<NumbersDual>::Type)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

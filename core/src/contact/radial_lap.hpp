@@ -4,7 +4,7 @@
 #include "contact/lap.hpp"
 #include "contact/plane_stick.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// A stick zone or a step through a slip zone, for drawing its fields.
 struct RadialPiece {
@@ -31,4 +31,4 @@ template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
                       core::Vector<RadialPiece>* trace = nullptr);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr int kSamples = 64;
@@ -53,4 +53,4 @@ TouchingPhases touching_phases(const ContactNumbers<double>& n, double side) {
           above.slope / (above.slope - below.slope)};
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

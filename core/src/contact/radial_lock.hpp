@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// The lowest c_x that a phase allows for a given c_y: the disc of radius mu_0 p about the traction without its mean.
 /// `side` is 1, or -1 for the negative of the highest c_x.
@@ -67,4 +67,4 @@ struct RadialLock {
   }
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

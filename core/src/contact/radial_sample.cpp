@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& n, double theta) {
   const Trig<double> at = trig(theta);
@@ -31,4 +31,4 @@ RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& n
   return sample;
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

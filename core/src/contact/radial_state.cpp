@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr std::size_t kNumbers = 4;  // of the layer's state
@@ -285,4 +285,4 @@ ContactMeans<S> radial_means(const ContactNumbers<S>& numbers, const PeriodicSta
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

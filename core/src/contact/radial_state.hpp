@@ -3,7 +3,7 @@
 
 #include "contact/periodic_state.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// find_periodic_state() where the surface also moves radially: laps, and Newton's method on the return map of the layer's four
 /// numbers where they settle slowly. With mu_0 = mu the lap never increases the energy of a difference of states (E6.1 holds in
@@ -15,4 +15,4 @@ PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const Lap
 template <typename S>
 ContactMeans<S> radial_means(const ContactNumbers<S>& numbers, const PeriodicState& state);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 static double product(const LayerMotion<double>& layer, const LayerState<double>& a,
                       const LayerState<double>& b) {
@@ -52,4 +52,4 @@ Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<do
   return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// A linear map of states of the layer, (e, e') -> (a e + b e', c e + d e').
 struct Matrix2 {
@@ -49,4 +49,4 @@ Matrix2 resolvent(const Matrix2& j);
 /// Whether laps from nearby come to the fixed point, if only by the least damping (E6.6).
 bool attracts(const Matrix2& j);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// The radial motion of the surface is computed. The page leaves it out and says so: it would be an eighth larger.
 #ifdef __wasm__
@@ -63,7 +63,7 @@ inline double select(bool condition, double a, double b) { return condition ? a 
 /// The argument of x + i y; in lanes it may be a little less.
 inline double least_argument(double x, double y) { return std::atan2(y, x); }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact
 
 /// The closed list of scalars that the contact runs on: double, and these.
 #define TWUM_FOR_EACH_CONTACT_DUAL(X) \

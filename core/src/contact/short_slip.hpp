@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Own and forced part of the layer's motion cancel in small contacts, which costs the closed forms
 /// eps (1 + response) / (s theta_L^3) of the powers: more than 1e-13 is too much.
@@ -199,4 +199,4 @@ class ShortSlip {
   S pressure_[kTerms], rate_[kTerms];  // of p and e', in powers of x / length
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

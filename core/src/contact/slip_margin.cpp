@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 namespace {
 
 constexpr double kDriving = -1;  // sign of v_rel
@@ -145,4 +145,4 @@ S slip_margin_at(const ContactNumbers<S>& n, const SlipMargin& margin) {
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

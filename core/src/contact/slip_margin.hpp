@@ -3,7 +3,7 @@
 
 #include "contact/periodic_state.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// How far a contact that is made to slip and drive all through is from sticking somewhere.
 struct SlipMargin {
@@ -22,4 +22,4 @@ SlipMargin slip_margin(const ContactNumbers<double>& numbers);
 template <typename S>
 S slip_margin_at(const ContactNumbers<S>& numbers, const SlipMargin& margin);
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// A vector in the plane of the surface: along the track and across it.
 template <typename S>
@@ -187,4 +187,4 @@ class SlipStep {
   Collocation::Matrix response_;
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// e' of all points per traction, from M e'' + C e' + e = t.
 inline Collocation::Matrix rate_response(const ContactNumbers<double>& n, double length) {
@@ -173,4 +173,4 @@ inline double SlipStep<double>::last_term() const {
                    length(rate) / (n_.stick_rate * (1 + std::fabs(n_.speed_ratio))));
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

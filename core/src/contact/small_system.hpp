@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 template <std::size_t N>
 using SquareMatrix = std::array<std::array<double, N>, N>;
@@ -63,4 +63,4 @@ class Factors {
   std::array<std::size_t, N> order_;
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

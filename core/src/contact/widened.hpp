@@ -5,7 +5,7 @@
 
 #include <twum/base/dual.hpp>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// x with directions more, in which it does not move: those of the layer's state at entry.
 template <int kMore, int N>
@@ -31,4 +31,4 @@ ContactNumbers<Dual<double, N + kMore>> widened(const ContactNumbers<Dual<double
           more(n.radial)};
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

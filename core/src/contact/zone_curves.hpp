@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// k0 + kb theta + kw (1 - cos theta) + ks sin theta: all that is not the layer's own motion.
 template <typename S>
@@ -344,4 +344,4 @@ class SlipCurve : public SlipTerms<double> {
   }
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

@@ -5,7 +5,7 @@
 #include "contact/zone_curves.hpp"
 #include "contact/zone_start.hpp"
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Where the ends of zones come from.
 enum class Ends : unsigned char {
@@ -158,4 +158,4 @@ class ZoneEnds {
   long samples_{0};
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

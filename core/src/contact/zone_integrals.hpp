@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 /// Integrals of 1, cos, sin and their products over a zone.
 template <typename S>
@@ -118,4 +118,4 @@ void add(ContactMeans<S>& sum, const ContactMeans<S>& zone) {
   sum.reactive_force += zone.reactive_force;
 }
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

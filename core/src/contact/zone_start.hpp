@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace twum::contact {
+namespace twum::inline v0_1::contact {
 
 template <typename S>
 S pressure(const ContactNumbers<S>& n, const Trig<S>& at) {
@@ -146,4 +146,4 @@ class ZoneStart {
   const LayerMotion<S>& layer_;
 };
 
-}  // namespace twum::contact
+}  // namespace twum::inline v0_1::contact

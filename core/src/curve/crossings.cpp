@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
@@ -184,4 +184,4 @@ bool CurveCrossings::leaves_plateau_at(double speed) {
          std::fabs(speed - plateau_end()) <= 1e-8 * points_.curve().crest();
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A speed where the torque takes a value.
 struct Crossing {
@@ -44,4 +44,4 @@ class CurveCrossings {
   std::optional<double> plateau_end_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Thrown inside a search when a point has no answer; the metric takes the status.
 struct SearchFailure {
@@ -98,4 +98,4 @@ class Curve : public InWorkspace {
   double begin_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

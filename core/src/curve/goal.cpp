@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kLastTurn = 0.01;  // share of an interval
@@ -60,4 +60,4 @@ Peak GoalCurve::peak_at(const CurvePoint& p, PeakKind inside) const {
   return {p.speed, value(p), p.speed > begin ? inside : of_begin};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

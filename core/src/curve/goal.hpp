@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// How a supremum over speed is reached.
 enum class PeakKind : unsigned char {
@@ -70,4 +70,4 @@ class GoalCurve {
   CurvePoints& points_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

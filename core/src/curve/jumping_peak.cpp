@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 Peak JumpingPeakSearch::find() {
   const Vector<CurvePoint> nodes = crossings_.working_nodes();
@@ -88,4 +88,4 @@ Peak JumpingPeakSearch::with_plateau_named(Peak peak) {
   return peak;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

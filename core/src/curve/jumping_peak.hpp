@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Search for the largest value of a goal where torque may jump: every stretch with the same sequence of zones, or without
 /// a periodic state, is taken by itself, its ends located by halving.
@@ -32,4 +32,4 @@ class JumpingPeakSearch {
   CurveStretches& stretches_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kFarBeyond = 3;           // distances of the last two points
@@ -85,4 +85,4 @@ void Halving::lose(long zones, MetricStatus status) {
   if (lost_ > kMostLost) throw SearchFailure{status};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

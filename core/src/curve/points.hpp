@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Points and slopes of one curve. Those that several searches need are found once.
 class CurvePoints {
@@ -75,4 +75,4 @@ class Halving {
   long lost_{0};  // zones followed in vain by this search
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr int kJumpingIntervals = 40;  // in place of kIntervals where torque may jump
@@ -193,4 +193,4 @@ void CurveScan::run() {
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Points of the curve from its beginning to the first one past no-load: between which of them to look for what is
 /// searched. Between two neighbours torque is taken to have no more than one maximum (with mu_0 > mu: one in each stretch
@@ -68,4 +68,4 @@ class CurveScan {
   bool done_{false};
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kSameTorque = 1e-14;  // what rounding leaves of the plateau's torque
@@ -118,4 +118,4 @@ Vector<CurvePoint> CurveSearch::nodes_around(double torque) {
   return all;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

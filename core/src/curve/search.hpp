@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What is searched for over a torque-speed curve. Each result is found once and kept.
 class CurveSearch {
@@ -45,4 +45,4 @@ class CurveSearch {
   std::array<std::optional<Peak>, kGoals> peaks_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kRippled =
@@ -161,4 +161,4 @@ bool SmoothPeakSearch::plateau_may_top(double best) {
   return goal_.value(most) > best;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Search for the largest value of a goal where torque does not jump: humps of the nodes, made exact by their slopes.
 class SmoothPeakSearch {
@@ -36,4 +36,4 @@ class SmoothPeakSearch {
   Vector<CurvePoint> nodes_;  // up to no-load
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <twum/base/error.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 Bracket close_in(FunctionRef<double(double)> f, const Bracket& ends) {
   try {
@@ -13,4 +13,4 @@ Bracket close_in(FunctionRef<double(double)> f, const Bracket& ends) {
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

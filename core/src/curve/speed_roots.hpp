@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// closed_in() for a search along the curve.
 /// @throws SearchFailure (unresolved) if the ends do not differ in sign
@@ -139,4 +139,4 @@ class InverseInterpolation {
   double unit_, accuracy_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

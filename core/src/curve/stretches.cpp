@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr std::size_t kStretches = 8;  // sequences of zones between two points
@@ -138,4 +138,4 @@ CurvePoint CurveStretches::past_jump(const CurvePoint& end, double inside) {
   return past;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

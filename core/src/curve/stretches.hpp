@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A part of the curve with the same sequence of zones and without a jump, if there were not too many to tell apart; or a
 /// part without a periodic state.
@@ -44,4 +44,4 @@ class CurveStretches {
   Map<std::pair<double, double>, Vector<Stretch>> known_;  // by the speeds of both points
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace geometry_rows {
 
 using P = Parameter;
@@ -230,4 +230,4 @@ inline constexpr std::array kGeometryRows{
 }  // namespace geometry_rows
 
 using geometry_rows::kGeometryRows;
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <cfenv>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Holds the host's floating-point traps in its scope, because NaN stands for "no value" in the core and a comparison with it
 /// is an invalid operation. Flags and traps are afterwards what they were before. Costs some nanoseconds where the host has
@@ -31,4 +31,4 @@ class HeldTraps {
 #endif
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// The layer's properties from its material, and the inverse; S is double or carries derivatives. All code uses these
 /// formulas.
@@ -128,4 +128,4 @@ constexpr bool leads_alternatives(Parameter parameter) {
   }
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/metric_value.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 const char* to_string(MetricStatus status) noexcept {
   switch (status) {
@@ -61,4 +61,4 @@ const char* to_string(Argument value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

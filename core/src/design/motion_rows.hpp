@@ -3,7 +3,7 @@
 
 #include "design/motor_rows.hpp"
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace motion_rows {
 
 using P = Parameter;
@@ -60,4 +60,4 @@ inline constexpr std::array kMotionRows{std::to_array<ParameterRow>({
 }  // namespace motion_rows
 
 using motion_rows::kMotionRows;
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 double drive_frequency(const MotorDesign& design) {
   const Stator& stator = design.stator;
   if (!stator.frequency_ratio) return stator.frequency;
@@ -65,4 +65,4 @@ const char* to_string(DriveControl value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

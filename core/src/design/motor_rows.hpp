@@ -9,7 +9,7 @@
 #include <array>
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// One parameter: what is said of it, and where a design holds it.
 struct ParameterRow {
@@ -309,4 +309,4 @@ inline constexpr std::array kMotorRows{std::to_array<ParameterRow>({
 }  // namespace motor_rows
 
 using motor_rows::kMotorRows;
-}  // namespace twum
+}  // namespace twum::inline v0_1

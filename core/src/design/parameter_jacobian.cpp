@@ -10,7 +10,7 @@
 
 #include <memory>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 bool drifts_with_plate(Parameter parameter) {
@@ -64,4 +64,4 @@ ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_stati
   return jacobian;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

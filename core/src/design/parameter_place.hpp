@@ -11,7 +11,7 @@
 #include <type_traits>
 
 /// How a design holds its parameters: the functions in the rows of the parameter table.
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Where a design holds one parameter.
 struct ParameterPlace {
@@ -146,4 +146,4 @@ constexpr ParameterPlace in_block() {
           }};
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

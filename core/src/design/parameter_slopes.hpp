@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// An entry of parameter_jacobian() that is not zero: how a parameter's value moves with one in use.
 struct ParameterSlope {
@@ -17,4 +17,4 @@ struct ParameterSlope {
 /// All of them.
 std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design, bool fixed_static_friction);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

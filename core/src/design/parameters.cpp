@@ -20,7 +20,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using P = Parameter;
@@ -243,4 +243,4 @@ void require_motor(const MotorDesign& design) {
   if (!text.empty()) throw InputError("motor design: " + text);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using stator::Derivatives;
 using stator::OtherModes;
@@ -133,4 +133,4 @@ void keep_plate(MotorDesign& design) {
   }
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

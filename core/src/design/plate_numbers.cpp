@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using P = Parameter;
@@ -156,4 +156,4 @@ std::vector<std::string> geometry_complaints(const MotorDesign& design) {
   }
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

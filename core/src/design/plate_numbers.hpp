@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Numbers that a design with a geometry takes from its plate, and their derivatives by the design.
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Radii of the track at which a mode's shape is sampled, as distances from its middle in half widths (P8.1).
 /// Together with the middle, where R = 1, they are the Chebyshev points of a polynomial of degree 4.
@@ -64,4 +64,4 @@ std::string follows_from_geometry(const MotorDesign& design, Parameter parameter
 /// is. A plate without a suitable mode is not an error here.
 std::vector<std::string> geometry_complaints(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

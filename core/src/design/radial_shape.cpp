@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using Rows = std::vector<std::pair<double, double>>;
@@ -115,4 +115,4 @@ std::string track_complaint(const MotorDesign& design) {
   return {};
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Cubic spline through the rows of a table, C2, with not-a-knot ends.
 class ShapeSpline {
@@ -54,4 +54,4 @@ class ShapeSpline {
 /// What is wrong with a track: its inner edge, or the radial shape on it; empty if nothing is.
 std::string track_complaint(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 // Whether a number of the network may follow: of three masses, and not given.
@@ -135,4 +135,4 @@ double stator_heat_capacity(const MotorDesign& design) {
   return design.thermal ? design.thermal->stator.heat_capacity.value_or(kNoValue) : kNoValue;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using P = Parameter;
@@ -149,4 +149,4 @@ std::string operation_complaint(const MotorDesign& design) {
   return {};
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

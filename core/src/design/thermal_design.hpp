@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// The thermal block, made if it is missing.
 Thermal& thermal_of(MotorDesign& design);
@@ -49,4 +49,4 @@ inline constexpr std::array<DriftRow, 10> kDrifts{{
 /// True if the design gives a coefficient other than 0.
 bool drifts(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

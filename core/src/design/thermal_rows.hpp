@@ -10,7 +10,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace thermal_rows {
 
 using P = Parameter;
@@ -270,4 +270,4 @@ inline constexpr std::array kThermalRows{std::to_array<ParameterRow>({
 }  // namespace thermal_rows
 
 using thermal_rows::kThermalRows;
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "design/wear_design.hpp"
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 Wear& wear_of(MotorDesign& design) { return design.wear ? *design.wear : design.wear.emplace(); }
 
@@ -43,4 +43,4 @@ std::string wear_complaint(const MotorDesign& design) {
   return {};
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

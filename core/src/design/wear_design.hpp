@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// The wear block, made if it is missing.
 Wear& wear_of(MotorDesign& design);
@@ -22,4 +22,4 @@ double thickness_share(const MotorDesign& design);
 /// The first thing that is wrong with the wear block, as complaints(); empty if nothing is.
 std::string wear_complaint(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -4,7 +4,7 @@
 #include "design/thermal_rows.hpp"
 #include "design/wear_design.hpp"
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace wear_rows {
 
 using P = Parameter;
@@ -55,4 +55,4 @@ inline constexpr std::array kWearRows{std::to_array<ParameterRow>({
 }  // namespace wear_rows
 
 using wear_rows::kWearRows;
-}  // namespace twum
+}  // namespace twum::inline v0_1

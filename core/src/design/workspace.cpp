@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace core {
 namespace {
 
@@ -68,5 +68,5 @@ Workspace::~Workspace() = default;
 
 std::size_t Workspace::size() const noexcept { return blocks_ ? blocks_->size() : 0; }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1
 #endif

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 #ifdef __wasm__  // the page has no workspaces
 struct WorkIn {
@@ -119,4 +119,4 @@ using Deque = std::deque<T, FromWorkspace<T>>;
 template <typename Key, typename T>
 using Map = std::map<Key, T, std::less<Key>, FromWorkspace<std::pair<const Key, T>>>;
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 std::pair<const CurveNode*, const CurveNode*> BranchPiece::around(double speed) const {
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, speed,
@@ -23,4 +23,4 @@ std::array<const CurveNode*, 2> BranchPiece::outer_neighbours(const CurveNode& a
           &b < &nodes.back() ? if_like(*(&b + 1)) : nullptr};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
 struct BranchPiece {
@@ -28,4 +28,4 @@ struct BranchPiece {
   std::array<const CurveNode*, 2> outer_neighbours(const CurveNode& a, const CurveNode& b) const;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::LayerState;
@@ -167,4 +167,4 @@ CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,
   return guess;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

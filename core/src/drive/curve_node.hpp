@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Position in the plane in which a curve of waves is followed: ln A, and the parameter in parts of its scale.
 struct PlanePoint {
@@ -66,4 +66,4 @@ CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,
 WarmStart moved(const WarmStart& start, const MovingStates& states, double step, double turn = 0);
 PointNumbers<double> moved(const PointNumbers<contact::MotionDual>& n, double step, double turn);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

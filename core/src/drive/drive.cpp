@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // The number of slices for `auto` follows from the motor under the wave of one slice at first_speed(), which is near enough
@@ -59,4 +59,4 @@ DrivenMotor<double> Drive::first_motor() const {
 
 MotorPoint Drive::at(double speed) const { return branch_.at(speed, asked_ == Branch::running); }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

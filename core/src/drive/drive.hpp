@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The waves of a motor that stands still, under every voltage. Immutable.
 class WavesAtRest {
@@ -68,4 +68,4 @@ class Drive {
   RunningBranch branch_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

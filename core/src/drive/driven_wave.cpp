@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::kInAmplitude;
@@ -213,4 +213,4 @@ double DrivenWaves::contact_stiffness() const {
          (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A motor at a speed: the wave there, and the contact under it.
 struct MotorPoint {
@@ -152,4 +152,4 @@ class DrivenWaves {
   double reach_;                       // k of (D2.10)
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // Amplitudes beyond those of any motor [m]: where the bounds are infinite, without damping or preload.
@@ -312,4 +312,4 @@ Vector<WaveSolution> ForceLine::solutions() const {
   return found;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

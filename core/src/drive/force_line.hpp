@@ -3,7 +3,7 @@
 
 #include "drive/wave_curve.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A wave that the drive holds at a speed: a root of H(A) = Theta u_0 (D2.4).
 struct WaveSolution {
@@ -78,4 +78,4 @@ class ForceLine {
 /// Upper bound of the amplitude of a wave (D2.7).
 double largest_amplitude(const DrivenWaves& waves);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

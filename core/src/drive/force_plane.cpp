@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 double ForcePlane::parameter(double y) const {
   switch (continued_) {
@@ -71,4 +71,4 @@ CurveNode ForcePlane::node(Value v, PlanePoint p, PlanePoint step) const {
           .states = std::move(v.wave.states)};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The plane in which the waves of a motor under a voltage are curves: the amplitude, and what is continued beside it. The curve is
 /// where ln H - ln(Theta u_0) vanishes; its derivatives along x and y are exact.
@@ -56,4 +56,4 @@ class ForcePlane {
   double speed_, unit_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr int kNodesOfFlank = 80;
@@ -307,4 +307,4 @@ std::optional<ResponseWave> FrequencyPath::at(const PathPiece& piece, double ome
   return {};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

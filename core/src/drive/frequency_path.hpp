@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A piece of a path on which the frequency is monotonic and all waves are stable, or none.
 struct PathPiece {
@@ -73,4 +73,4 @@ class FrequencyPath {
   Vector<double> resonances_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using core::PathPiece;
@@ -263,4 +263,4 @@ std::vector<double> spaced_frequencies(double from, double to, std::size_t point
   return frequencies;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

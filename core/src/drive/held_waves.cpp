@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kSettledSquare = 1e-14;  // of omega^2
@@ -231,4 +231,4 @@ std::optional<ResponseWave> HeldWaves::solve_to_rounding(ResponseWave wave) cons
   return {};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A wave that the drive holds at its own frequency.
 struct ResponseWave {
@@ -76,4 +76,4 @@ class HeldWaves {
   RotorLoad load_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <memory>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A value that is found when it is first asked for. Any number of threads may ask: two that ask at once both search, and find the
 /// same.
@@ -68,4 +68,4 @@ class LazyDrive {
   Lazy<Found> found_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 using Pair = std::array<double, 2>;
 
@@ -31,4 +31,4 @@ class LearnedSlopes {
   double k_[2][2]{{1, 0}, {0, 1}};
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

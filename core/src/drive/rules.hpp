@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// How finely a curve of waves is followed.
 struct CurveSteps {
@@ -143,4 +143,4 @@ struct ContinuationRules {
 };
 inline constexpr ContinuationRules kRules{};
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // The lowest minimum of H, which has to be passed to hold a running wave.
@@ -391,4 +391,4 @@ bool RunningBranch::steady(const MotorPoint& point, double speed) const {
   return waves_.stability(waves_.in_amplitude(point.motor.mean.amplitude, speed, &start)).trace < 0;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

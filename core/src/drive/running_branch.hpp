@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The waves of a motor over the rotor speed, as curves that are followed once. Every answer starts from their nodes, so that it does
 /// not depend on earlier ones.
@@ -87,4 +87,4 @@ class RunningBranch {
   Vector<const CurveNode*> nodes_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

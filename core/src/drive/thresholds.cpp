@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -226,4 +226,4 @@ std::optional<Threshold> Thresholds::jumping_frequency(bool start) {
   return Threshold{root, e->amplitude, root};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A voltage or a frequency at which the number of waves at rest changes, and the wave that appears or vanishes
 /// there.
@@ -56,4 +56,4 @@ class Thresholds {
   std::optional<Threshold> found_[4];
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

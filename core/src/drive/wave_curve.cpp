@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 double distance(PlanePoint a, PlanePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -387,4 +387,4 @@ std::optional<CurveNode> WaveCurve::root(PlanePoint p, WarmStart start, const So
   return {};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

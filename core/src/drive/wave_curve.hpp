@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A part of the plane, by its corners.
 struct PlaneRange {
@@ -77,4 +77,4 @@ class WaveCurve {
   mutable long zones_{0};
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -180,4 +180,4 @@ const char* to_string(Part value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

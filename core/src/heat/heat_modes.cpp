@@ -8,7 +8,7 @@
 #include <numeric>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using Square = Rows3<double, kMasses>;
@@ -133,4 +133,4 @@ Decay decay_of(const HeatModes& modes, std::size_t part, const Masses<double>& z
   return decay;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include "heat/network.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The modes of the masses: K v = mu C v with V^T C V = 1 (H4.1). In their amplitudes z = V^T C theta the network is
 /// z' = -mu z + V^T B p.
@@ -45,4 +45,4 @@ struct Decay {
 Decay decay_of(const HeatModes& modes, std::size_t part, const Masses<double>& z,
                const Sources<double>& p);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kSettled =
@@ -366,4 +366,4 @@ PartValues<double> HeatSolver::parts(const HeatState& s) const {
   return t;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

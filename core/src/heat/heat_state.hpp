@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Parts whose temperatures parameters follow, in the order of ThermalNode.
 inline constexpr std::array<std::size_t, 3> kNodeParts{0, 3, 4};
@@ -172,4 +172,4 @@ class HeatSolver {
   std::array<Sources<double>, kParts> response_;  // of the steady parts by p
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

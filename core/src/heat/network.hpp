@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 inline constexpr std::size_t kMasses = 3;   // stator, rotor, housing
 inline constexpr std::size_t kSources = 4;  // friction, layer, stator, dielectric
@@ -137,4 +137,4 @@ inline Masses<double> capacities_of(const HeatNetwork& n) {
   return {n.stator_capacity, n.rotor_capacity, n.housing_capacity};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <numbers>
 
 /// Matrices of three rows and columns.
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 using Vector3 = Masses<double>;
 using Matrix3 = Rows3<double, kMasses>;
@@ -130,4 +130,4 @@ inline Exponential exponential(Matrix3 a) {
   return {exp, phi, phi2, phi3};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

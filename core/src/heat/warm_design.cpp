@@ -3,7 +3,7 @@
 
 #include <twum/base/error.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -63,4 +63,4 @@ std::optional<MotorDesign> at_temperatures(const MotorDesign& design, const Node
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// T_s, T_c, T_l that parameters follow, in the order of ThermalNode [K].
 using NodeTemperatures = Vector3;
@@ -30,4 +30,4 @@ double drift_factor(const Drifting& one, const NodeTemperatures& x, double refer
 /// The motor whose parameters are those at the temperatures. Nothing where a factor is below a tenth, or a value leaves its range.
 std::optional<MotorDesign> at_temperatures(const MotorDesign& design, const NodeTemperatures& x);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // Of the largest torque: T_p - T goes with the cube of A_p - A, so that the last of it is left out.
@@ -154,4 +154,4 @@ Envelope::Corner Envelope::at_torque(double torque) const {
   return out_of_reach(torque, high);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <twum/core/held_point.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// T_p is held to this share where a search needs a wave beyond it.
 inline constexpr double kNearlyAll = 1 - 1e-4;
@@ -61,4 +61,4 @@ class Envelope {
   double largest_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

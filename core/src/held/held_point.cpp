@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -266,4 +266,4 @@ MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held) {
                            {Parameter::radial_slices, static_cast<double>(held.radial_slices)}}});
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

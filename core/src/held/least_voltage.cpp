@@ -14,7 +14,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // How the speeds are sampled at which a motor may carry a torque.
@@ -118,4 +118,4 @@ LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed) {
   return {wave, std::max(speed, turning)};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <twum/core/held_point.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The wave at the least voltage with which a drive of the design's frequency runs the motor, and where (Y5.4).
 struct LeastVoltage {
@@ -18,4 +18,4 @@ LeastVoltage least_voltage_at_torque(const MotorDesign& design, double torque);
 /// so that each voltage has one wave; with mu_0 > mu, where the wave may end at a jump; and where it is unstable.
 LeastVoltage least_voltage_at_speed(const MotorDesign& design, double speed);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

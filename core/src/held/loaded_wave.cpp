@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 double LoadedWaves::plateau() const {
   const MotorModel<double>& m = waves_.model();
@@ -141,4 +141,4 @@ std::optional<LoadedWave> LoadedWaves::solve_at_frequency(const LoadedWave& know
   return {};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Every constant of the search for held points.
 struct HeldRules {
@@ -81,4 +81,4 @@ class LoadedWaves {
   double torque_, speed_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 void require_admissible(std::span<const MotorDesign> designs) {
@@ -45,4 +45,4 @@ std::vector<std::vector<MetricDerivative>> differentiate_designs(
   });
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

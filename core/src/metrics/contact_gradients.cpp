@@ -12,7 +12,7 @@
 #include <twum/base/error.hpp>
 #include <twum/core/motor.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -60,4 +60,4 @@ ContactGradients ContactDifferentiator::at(double amplitude, double speed) const
   return found;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

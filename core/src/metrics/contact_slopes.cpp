@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -51,4 +51,4 @@ ContactSlopes contact_slopes(const Motor& motor, const OperatingConditions& at) 
   return slopes;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

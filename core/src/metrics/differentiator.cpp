@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -363,4 +363,4 @@ DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
   return driven ? wave_motion<contact::SpeedDual>(*model2_, p).of(f) : f;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 inline Smoothness worse(Smoothness a, Smoothness b) { return std::max(a, b); }
 
@@ -140,4 +140,4 @@ class Differentiator {
   std::map<double, std::size_t> smoothness_places_;  // likewise
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -4,7 +4,7 @@
 #include "design/parameter_slopes.hpp"
 #include "design/plate_numbers.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -51,4 +51,4 @@ std::vector<DirectionSlope> direction_slopes(const MotorDesign& design,
   return list;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

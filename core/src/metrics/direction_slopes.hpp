@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// How a direction of the model's derivatives moves with a parameter in use; not zero.
 struct DirectionSlope {
@@ -31,4 +31,4 @@ std::array<double, kParameterCount> in_parameters(const Dual<double, N>& dual,
   return gradient;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // of d ln H / d ln A at an extremum, which is found to 1e-7 of the amplitude: a steeper one is a kink, on one side of which the
@@ -100,4 +100,4 @@ DesignDual Differentiator::frequency_of(DesignDual excess, const MotorDesign& th
   return f;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

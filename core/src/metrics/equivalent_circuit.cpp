@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
@@ -71,4 +71,4 @@ std::complex<double> admittance(const EquivalentCircuit& c, double loss_tangent,
          1.0 / std::complex<double>(c.motional_resistance, reactance);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 std::unique_ptr<const Curve> curve_of(const Motor& motor) {
@@ -169,4 +169,4 @@ void Evaluator::require_input(Metric metric, double speed) {
   if (!is_known(input, excess(n, speed))) throw SearchFailure{MetricStatus::inaccurate};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

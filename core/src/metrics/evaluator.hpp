@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Values of metrics. What several of them need is found once. The members between the first and search() are what
 /// metric_row() is made of.
@@ -116,4 +116,4 @@ class Evaluator {
   Deque<DrivenMotor<double>> motors_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr int kMostSteps = 8;
@@ -101,4 +101,4 @@ CurveSlope FollowedCurve::slope(double, const WarmStart*) const {
   throw SearchFailure{MetricStatus::unresolved};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

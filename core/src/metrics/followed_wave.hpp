@@ -10,7 +10,7 @@
 
 #include <memory>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// True for a load whose wave can be followed from motor to motor: a voltage holds it on the running branch.
 bool follows_wave(const MotorDesign& design, const LoadPoint& load);
@@ -42,4 +42,4 @@ class FollowedCurve final : public Curve {
   MotorPoint found_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What a search finds, or why it finds nothing.
 /// @param find  returns a number; may throw SearchFailure, and EvaluationError for a search without a bracket
@@ -26,4 +26,4 @@ MetricValue found_value(Find find) {
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kReturned = 1e-6;  // [K]
@@ -196,4 +196,4 @@ PartValues<double> HeatCourse::mean(const Lap& lap) const {
   return parts;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

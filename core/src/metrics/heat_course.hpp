@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -71,4 +71,4 @@ class HeatCourse {
   double ambient_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

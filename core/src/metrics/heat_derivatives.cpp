@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -156,4 +156,4 @@ MetricDerivative HeatMetrics::differentiate(const MetricRequest& request, bool f
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

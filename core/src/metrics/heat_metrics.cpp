@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -118,4 +118,4 @@ MetricValue HeatMetrics::evaluate(const MetricRequest& request) {
   return found_value([&] { return value(request); });
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Parts with a limit, which are the first, and their limits.
 inline constexpr std::array kTemperatureLimits{
@@ -173,4 +173,4 @@ class HeatMetrics {
   std::unique_ptr<CourseSensitivity> sensitivity_;  // of the operation
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

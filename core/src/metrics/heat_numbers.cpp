@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -155,4 +155,4 @@ double by_load(const MotorDesign& design, const std::function<double(double)>& f
   return (8 * (f(torque + h) - f(torque - h)) - (f(torque + 2 * h) - f(torque - 2 * h))) / (12 * h);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

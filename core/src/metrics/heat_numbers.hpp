@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A number of a network, and how it moves with the parameters of the design.
 struct NetworkNumber {
@@ -29,4 +29,4 @@ std::array<Gradient, kParts> steady_moves(const std::vector<NetworkNumber>& numb
 /// no-load.
 double by_load(const MotorDesign& design, const std::function<double(double)>& f, double torque);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

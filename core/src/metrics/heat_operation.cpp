@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -208,4 +208,4 @@ MetricDerivative HeatMetrics::of_duty_limit(const LoadPoint& load, const MetricV
   return derivative(value, g, 1 / slope);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -202,4 +202,4 @@ MetricDerivative HeatMetrics::of_start(const MetricValue& value, bool fixed) {
   return result;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

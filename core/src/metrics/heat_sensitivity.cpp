@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -281,4 +281,4 @@ std::array<Gradient, 3> CourseSensitivity::nodes_at_mean(std::size_t phase, cons
   return found;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// How a course of temperatures moves with the parameters of the design (H6.4). A phase that several answers need is passed once.
 class CourseSensitivity {
@@ -80,4 +80,4 @@ class CourseSensitivity {
   std::vector<std::vector<Place>> walks_;  // through each phase, as far as it was asked
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

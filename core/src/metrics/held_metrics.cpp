@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 MetricStatus status_of(HeldStatus status) {
@@ -368,4 +368,4 @@ MetricDerivative HeldMetrics::of_drive_reserve(const MetricRequest& request,
   return result;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

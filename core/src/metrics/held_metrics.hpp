@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// True for what HeldMetrics answers: metrics at a torque and a speed, the envelope, and the reserve of a fixed drive.
 constexpr bool is_held(const MetricRequest& request) {
@@ -81,4 +81,4 @@ class HeldMetrics {
   Deque<Slopes> slopes_;     // likewise
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

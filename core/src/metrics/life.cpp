@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -83,4 +83,4 @@ MotorDesign worn_motor(const MotorDesign& design, double depth) {
   return worn_design(design, depth);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -8,7 +8,7 @@
 #include <twum/core/plate.hpp>
 #include <twum/core/steady_heat.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -62,4 +62,4 @@ LoadCycle load_cycle(const MotorDesign& design, const std::vector<LoadPhase>& ph
   return none;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

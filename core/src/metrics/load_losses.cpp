@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -192,4 +192,4 @@ HeatNetwork network_of(const MotorDesign& design) {
   return heat_network(design, {losses.p[0], losses.p[1], losses.p[2], losses.p[3]});
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Derivatives of a number in every parameter.
 using Gradient = std::array<double, kParameterCount>;
@@ -91,4 +91,4 @@ HeatProblem heat_problem(const MotorDesign& design, const HeatNetwork& network,
 /// @throws SearchFailure where these losses have no value
 HeatNetwork network_of(const MotorDesign& design);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

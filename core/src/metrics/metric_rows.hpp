@@ -9,7 +9,7 @@
 
 #include <twum/core/metrics.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
 template <typename S>
@@ -403,4 +403,4 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
   return to.at(request.metric, speed);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

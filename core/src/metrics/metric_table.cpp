@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/metrics.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 using M = Metric;
@@ -279,4 +279,4 @@ std::optional<Metric> find_metric(std::string_view name) {
   return {};
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

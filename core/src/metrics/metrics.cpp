@@ -19,7 +19,7 @@
 #include <optional>
 #include <string>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -259,4 +259,4 @@ MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, doubl
   return Differentiator(motor, fixed_static_friction).differentiate_at_share(metric, share);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -22,7 +22,7 @@
 #include <string>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 namespace {
 
 // A motor that an evaluation makes lives in its workspace.
@@ -203,4 +203,4 @@ std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
   return curve;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

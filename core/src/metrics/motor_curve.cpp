@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::kInAmplitude;
@@ -126,4 +126,4 @@ CurveSlope RestCurve::slope(double, const WarmStart*) const {
   throw SearchFailure{MetricStatus::unresolved};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

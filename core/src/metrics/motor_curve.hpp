@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What a metric says that needs a point without an answer.
 MetricStatus metric_status(PointStatus status);
@@ -60,4 +60,4 @@ class RestCurve final : public Curve {
   DrivenMotor<double> motor_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

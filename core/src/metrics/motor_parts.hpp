@@ -5,7 +5,7 @@
 
 #include <twum/core/motor.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What the library's own sources take from a Motor.
 struct MotorParts {
@@ -20,4 +20,4 @@ struct MotorParts {
   static const DrivenMotor<double>& model(const Motor& motor) { return motor.model(); }
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -138,4 +138,4 @@ std::vector<HeatBalance> heat_balance(const MotorDesign& design, const LoadPoint
   return std::vector<HeatBalance>(stator_temperatures.size(), {failure.status, 0, 0, 0});
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -83,4 +83,4 @@ SolvedLoad solved_load(const MotorDesign& worn, const LoadPoint& load,
   return *std::move(found);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

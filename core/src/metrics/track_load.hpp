@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A load at a worn track, solved.
 struct SolvedLoad {
@@ -26,4 +26,4 @@ struct SolvedLoad {
 SolvedLoad solved_load(const MotorDesign& worn, const LoadPoint& load,
                        const std::optional<LoadWave>& near);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

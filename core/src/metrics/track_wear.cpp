@@ -22,7 +22,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -381,4 +381,4 @@ MotorDesign worn_motor(const MotorDesign& design, std::span<const double> depths
   return worn_at(kept, nodes, depths);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

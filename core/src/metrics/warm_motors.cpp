@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/warm_motors.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr std::size_t kMostMotors = 4;  // cold, steady, and two on the way
@@ -18,4 +18,4 @@ std::optional<Motor> WarmMotors::at(const NodeTemperatures& x) {
   return known_.emplace_back(x, same ? reference_ : Motor(*warm)).second;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A motor at temperatures of its nodes. The last ones are kept: what costs most, to follow the running wave over speed, is done
 /// once for a steady state and for all that is asked of it. Not for several threads.
@@ -25,4 +25,4 @@ class WarmMotors {
   std::deque<std::pair<NodeTemperatures, Motor>> known_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

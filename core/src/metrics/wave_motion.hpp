@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// x with the directions of kDriveParameters added, with derivatives 0.
 template <typename T>
@@ -96,4 +96,4 @@ WavePoint<Dual<T, kDesignDirections>> wave_point(const DrivenMotor<Dual<T, kDire
           widened(n.stator_power), widened(n.torque * speed)};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 Row row_of(const MetricDerivative& derivative) { return {derivative.gradient, 0}; }
@@ -117,4 +117,4 @@ WaveSlopes keeping(const Row& one) {
   return slopes;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

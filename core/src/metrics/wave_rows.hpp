@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 class Differentiator;
 
@@ -47,4 +47,4 @@ WaveSlopes keeping(const Row& one, const Row& other);
 /// The amplitude follows; the frequency is given.
 WaveSlopes keeping(const Row& one);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

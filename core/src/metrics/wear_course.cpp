@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr int kSamples = 16;      // of the margins along a life
@@ -187,4 +187,4 @@ std::vector<WearPoint> WearCourse::points(const std::vector<double>& depths) {
   return points;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

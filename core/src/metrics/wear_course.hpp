@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The way of a motor from new to the end of its life, under a load or in its operation (V2.3).
 class WearCourse {
@@ -52,4 +52,4 @@ class WearCourse {
   std::map<std::pair<double, bool>, WearRate> slopes_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -161,4 +161,4 @@ MetricDerivative WearMetrics::differentiate(const MetricRequest& request, bool f
   }
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <list>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// True for what WearMetrics answers.
 inline bool is_wear(const MetricRequest& request) {
@@ -38,4 +38,4 @@ class WearMetrics {
   std::list<WearCourse> courses_;  // references stay valid
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

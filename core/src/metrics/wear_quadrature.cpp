@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using Kronrod = boost::math::quadrature::gauss_kronrod<double, 21>;
@@ -112,4 +112,4 @@ std::vector<double> three_points_over_depth(const NumbersAt& numbers, double fro
   return sum_by<Gauss3>(numbers, from, to);
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

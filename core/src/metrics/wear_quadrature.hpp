@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Integrals over the worn depth, of several numbers at once.
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 using NumbersAt = std::function<std::vector<double>(double depth)>;
 
@@ -40,4 +40,4 @@ class SmoothDepthIntegral {
 /// By Gauss' rule with three points.
 std::vector<double> three_points_over_depth(const NumbersAt& numbers, double from, double to);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

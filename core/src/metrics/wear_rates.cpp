@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -275,4 +275,4 @@ bool WearRates::confirm_or_stop_following(double depth) {
   return all;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// How fast a track wears at a depth (V2.1).
 struct WearRate {
@@ -61,4 +61,4 @@ class WearRates {
   std::list<WornMotors> motors_;  // references stay valid
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

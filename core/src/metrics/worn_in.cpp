@@ -17,7 +17,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 using namespace core;
 
@@ -288,4 +288,4 @@ WornIn worn_in(const MotorDesign& design, const LoadPoint& load) {
   return answer_of(motor.design(), *found, *numbers);
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using M = Metric;
@@ -149,4 +149,4 @@ bool WornMotors::confirm_or_stop_following(double depth) {
   return true;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

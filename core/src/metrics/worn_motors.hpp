@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A motor at worn depths. The wave that carries a load is searched once and then followed from depth to depth, which costs a few
 /// operating points in place of the whole running branch.
@@ -54,4 +54,4 @@ class WornMotors {
   bool follows_{true};
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The contact's scalar that goes with a model scalar.
 template <typename S>
@@ -71,4 +71,4 @@ S chained(const K& f, const std::array<S, 8>& x) {
   return r;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

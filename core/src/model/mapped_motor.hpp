@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A slice with its numbers in another scalar.
 template <typename T, typename S, typename F>
@@ -50,4 +50,4 @@ DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
   return r;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

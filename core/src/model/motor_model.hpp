@@ -21,7 +21,7 @@
 #include <span>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A value for each of kModelParameters, in their order, and for what more there is of a shape.
 template <typename S>
@@ -407,4 +407,4 @@ S track_area(const DrivenMotor<S>& m) {
   return 2 * std::numbers::pi * m.r * m.b;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

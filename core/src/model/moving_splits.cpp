@@ -6,7 +6,7 @@
 #include "model/track.hpp"
 #include "model/zone_splits.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::MotionDual;
@@ -66,4 +66,4 @@ template Vector<SplitPlace<ModelDual>> moving_splits(const DrivenMotor<ModelDual
 template Vector<SplitPlace<ModelDual2>> moving_splits(const DrivenMotor<ModelDual2>&,
                                                       const ModelDual2&, std::span<const Split>);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

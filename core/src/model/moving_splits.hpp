@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The splits of a track at a speed, in S. Those at jumps move with parameters, wave and speed, by the implicit function
 /// theorem (W4.5); all others may stand still, since the means have no step there (W4.4).
@@ -13,4 +13,4 @@ template <typename S>
 Vector<SplitPlace<S>> moving_splits(const DrivenMotor<S>& motor, const S& speed,
                                     std::span<const Split> splits);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

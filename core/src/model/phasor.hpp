@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A complex number whose parts may carry derivatives, which std::complex does not allow.
 template <typename S>
@@ -33,4 +33,4 @@ Phasor<S> operator/(const Phasor<S>& a, const Phasor<S>& b) {
   return (1.0 / b.squared()) * (a * b.conjugate());
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What the contact model takes of a design: each is a direction of its derivatives, and the speed is the last one. All
 /// other parameters act through these, by parameter_jacobian(): they add no direction. The mode of a plate has more numbers
@@ -89,7 +89,7 @@ using DesignDualOf = Dual<T, kDesignDirections>;
 using DesignDual = DesignDualOf<double>;
 using DesignDual2 = DesignDualOf<contact::SpeedDual>;
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core
 
 /// The closed list of scalars of the motor model, with the scalar of the speed that goes with each.
 #define TWUM_FOR_EACH_MODEL_SCALAR(X) \

@@ -13,7 +13,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Differences between the phases and between the modes (D6.1, D6.5).
 template <typename S>
@@ -403,4 +403,4 @@ SensorSignal<S> sensor_signal(const StatorModes<S>& m, const WaveBalance<S>& w, 
           argument(S(sign * inverse.real), S(sign * inverse.imaginary))};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

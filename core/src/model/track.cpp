@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using std::numbers::pi;
@@ -343,4 +343,4 @@ TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(contact::MotionDual, contact::MotionDual)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// R - 1 of a mode (P8.1).
 /// @param place  from the mean radius, in half widths of the track
@@ -77,4 +77,4 @@ S largest_pressure(const DrivenMotor<S>& m);
 template <typename S>
 S pressure_nonuniformity(const DrivenMotor<S>& m);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <twum/base/scalar_search.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times at most
@@ -58,4 +58,4 @@ Vector<double> radii_between_turns(const DrivenMotor<double>& m) {
   return radii;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What happens at a radius: the crest leaves the rotor (w = 0 in W2.2), or the valley of the wave reaches it (w = 2).
 inline constexpr double kLiftOff = 0, kFull = 2;
@@ -192,4 +192,4 @@ class Track {
   Vector<double> radii_;
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

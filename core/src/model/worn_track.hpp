@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A track that is not worn evenly (V3.1). Nodes are those of Gauss' rule over its whole width: they are points of the material, which
 /// no zone splits.
@@ -35,4 +35,4 @@ struct WornTrack {
   }
 };
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

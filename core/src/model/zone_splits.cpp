@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // Lengths along the track are in parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4): a split that
@@ -393,4 +393,4 @@ bool change_at_splits(const DrivenMotor<double>& m, const Vector<Split>& splits,
   return true;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What a slice's zones tell of those beside it.
 struct SliceZones {
@@ -54,4 +54,4 @@ bool change_at_splits(const DrivenMotor<double>& motor, const Vector<Split>& spl
                       std::span<const Slice<double>> slices, const Vector<SliceZones>& at_nodes,
                       const SliceQueries& at);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -133,4 +133,4 @@ DisturbedContact<S> moved_contact(const DrivenMotor<S>& m, const S& speed,
 template DisturbedContact<ModelDual> moved_contact(const DrivenMotor<ModelDual>&, const ModelDual&,
                                                    const DisturbedContact<double>&);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// A zone of a contact that a small backward wave disturbs.
 template <typename S>
@@ -154,4 +154,4 @@ FreeBackwardWave<S> free_backward_wave(const DisturbedContact<S>& contact,
   return {frequency, stiffness.imaginary / (twice * frequency) - damping / twice, damping, mass};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

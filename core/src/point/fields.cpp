@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -235,4 +235,4 @@ std::vector<FieldSample> fields_at(const DrivenMotor<double>& m, double speed, d
   return result;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

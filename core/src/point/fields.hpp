@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The contact at a radius of the track, of a motor whose point at this speed has an answer. For one slice it is that at the
 /// mean radius.
@@ -20,4 +20,4 @@ std::vector<FieldSample> fields_at(const DrivenMotor<double>& motor, double spee
                                    int samples);
 /// @}
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

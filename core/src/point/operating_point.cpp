@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 // Made once: points are many.
@@ -104,9 +104,9 @@ BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& s
   return wave;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 const char* to_string(PointStatus status) noexcept {
   switch (status) {
@@ -141,4 +141,4 @@ double OperatingPoint::efficiency() const noexcept {
   return core::is_known(input, excess) ? output_power / input : kNoValue;
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

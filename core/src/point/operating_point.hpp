@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What a solved point says of the motor, its terminals where the modes are known (T7.1 to T7.9, D4.1 to D4.3).
 /// @param modes  null if they are not known
@@ -20,4 +20,4 @@ BackwardWave backward_wave_of(const DrivenMotor<double>& motor, const SolvedPoin
                               double speed, const StatorModes<double>* modes,
                               const std::optional<double>& rotor_mass);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

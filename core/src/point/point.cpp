@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::LayerMotion;
@@ -399,4 +399,4 @@ template PointNumbers<contact::MotionDual> locked_slice(const DrivenMotor<contac
 template PointNumbers<contact::MotionDual> special_point(const DrivenMotor<contact::MotionDual>&,
                                                          const contact::MotionDual&);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -14,7 +14,7 @@
 #include <span>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Numbers of an operating point, or of a slice of it, in S; the other powers follow from these (T7.1).
 template <typename S>
@@ -294,4 +294,4 @@ PointNumbers<R> slice_numbers(const DrivenMotor<S>& m, const Slice<S>& s,
           s.pressure_force + s.force_scale * means.reactive_force};
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -12,7 +12,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using contact::ContactNumbers;
@@ -275,4 +275,4 @@ TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)
 #undef TWUM_INSTANTIATE
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -7,7 +7,7 @@
 
 #include <twum/core/metric_value.hpp>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// The design's motor with derivatives: each of kModelParameters a direction of its own, the speed the last one.
 /// @param track  of the motor in double; absent: found again
@@ -57,4 +57,4 @@ double track_plateau_end(const DrivenMotor<double>& motor, double end);
 /// The margin at an end that an edge brings, with its derivatives.
 ModelDual edge_margin_derivative(const DrivenMotor<ModelDual>& motor, double end);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

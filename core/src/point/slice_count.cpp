@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <numbers>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 constexpr double kStates = 1e-9;  // of the periodic states, far less than what is wanted
@@ -142,4 +142,4 @@ TrackRule track_rule(const MotorDesign& design) {
   return rule;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

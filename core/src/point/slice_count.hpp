@@ -3,7 +3,7 @@
 
 #include "model/motor_model.hpp"
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// What a design says of its track. `auto` comes to so many nodes a panel that torque and powers are within 1e-6 of their
 /// scales (W4.2), which takes a millisecond.
@@ -17,4 +17,4 @@ inline MotorDesign without_drive(MotorDesign design) {
   return design;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

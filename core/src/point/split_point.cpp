@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 using contact::LayerMotion;
 
@@ -122,4 +122,4 @@ bool SolvedPoint::follow(const DrivenMotor<double>& m, double speed,
                                                        Queries(*this, m, slices, speed, layer, 0));
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 namespace {
 
 using P = Parameter;
@@ -83,4 +83,4 @@ double by_depth(const MotorDesign& design, double depth, const WornGradient& of_
   return slope;
 }
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

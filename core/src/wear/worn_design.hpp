@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace twum::core {
+namespace twum::inline v0_1::core {
 
 /// Derivatives of a number in every parameter.
 using WornGradient = std::array<double, kParameterCount>;
@@ -30,4 +30,4 @@ WornGradient by_new_motor(const MotorDesign& design, double depth, const WornGra
 /// How what depends on thickness and preload moves with the depth: -s chi d/dh - k_F d/dF_N.
 double by_depth(const MotorDesign& design, double depth, const WornGradient& of_worn);
 
-}  // namespace twum::core
+}  // namespace twum::inline v0_1::core

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 /// One dimension: its name, its unit, and the member of a geometry that holds it, or null.
@@ -82,4 +82,4 @@ const double* find(const StatorGeometry& geometry, Dimension dimension) {
   return find(const_cast<StatorGeometry&>(geometry), dimension);
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

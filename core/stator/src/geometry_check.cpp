@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 const DimensionInfo& info(Dimension entry) {
@@ -156,4 +156,4 @@ void check_geometry(const StatorGeometry& geometry) {
   if (!text.empty()) throw InputError(text);
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 constexpr int kLowest = 8;  // modes of an order that are looked at
@@ -97,4 +97,4 @@ std::vector<ModePlace> by_distance(const std::vector<Order>& orders, const ModeP
   return others;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// All modes of one number of nodal diameters.
 struct Order {
@@ -47,4 +47,4 @@ bool crosses(const Spectrum& spectrum, std::size_t mode);
 /// All other modes, nearest frequency first.
 std::vector<ModePlace> by_distance(const std::vector<Order>& orders, const ModePlace& chosen);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

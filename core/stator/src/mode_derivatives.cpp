@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mode_derivatives.hpp"
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 using Vector = std::vector<double>;
@@ -50,4 +50,4 @@ Solution<Derived> derived_solution(const Mesh& mesh, const std::vector<Segment>&
   return solution;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

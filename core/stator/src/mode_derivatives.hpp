@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// A solution in numbers of the kind S.
 template <typename S>
@@ -25,4 +25,4 @@ Solution<Derived> derived_solution(const Mesh& mesh, const std::vector<Segment>&
                                    const std::vector<SegmentOf<Derived>>& dual_segments,
                                    const Spectrum& spectrum, std::size_t mode);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Numbers of the drive from a solution, as doubles or with derivatives.
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// R and psi_t at a radius.
 template <typename S>
@@ -157,4 +157,4 @@ ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const
           std::move(shape)};
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 namespace {
 
@@ -136,4 +136,4 @@ const char* to_string(InnerEdge value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

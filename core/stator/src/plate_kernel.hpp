@@ -9,7 +9,7 @@
 
 /// The energies of a plate at one radius, for doubles or with derivatives. Fields are R, psi_r, psi_t (P2.1); R only
 /// for Kirchhoff's plate.
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// Part of a linear form: factor times a derivative of a field.
 template <typename S>
@@ -157,4 +157,4 @@ void add_to_coefficients(std::vector<S>& result, const Element& element, std::si
   }
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

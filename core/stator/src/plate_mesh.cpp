@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 // A function such as ln(rho) or rho^-n on a ring whose radii differ by a factor of 2 loses a factor of
@@ -114,4 +114,4 @@ Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEd
   return mesh;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

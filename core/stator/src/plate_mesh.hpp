@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// A ring of a segment with polynomials of its own. Its position relative to the segment is fixed, so that elements
 /// follow the segment's radii.
@@ -36,4 +36,4 @@ struct Mesh {
 Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEdge inner_edge,
                int nodal_diameters);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// R of a vector of coefficients on one element, as coefficients of Legendre polynomials.
 /// @param half  of the element's width [m]
@@ -34,4 +34,4 @@ RadialFunction deflection(const Mesh& mesh, const std::vector<Segment>& segments
 /// of unit_eigenvalue().
 double frequency_of(double eigenvalue, const std::vector<Segment>& segments);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

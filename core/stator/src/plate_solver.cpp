@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 using Eigen::Index;
@@ -179,4 +179,4 @@ std::vector<std::vector<double>> answers_beside_mode(const Mesh& mesh,
   return answers;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// Solutions of K c = lambda M c, smallest eigenvalue first, c' M c = 1 (P3.1).
 struct Spectrum {
@@ -102,4 +102,4 @@ S energy(const Mesh& mesh, const std::vector<SegmentOf<S>>& segments,
   return sum;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 // Coefficients of the derivative: P_k' = (2k-1) P_{k-1} + (2k-5) P_{k-3} + ...
@@ -77,4 +77,4 @@ BasisTable make_table(Continuity continuity, int degree) {
   return table;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// Sum of coefficients times Legendre polynomials P_0, P_1, ... at x.
 template <typename C, typename S>
@@ -54,4 +54,4 @@ struct BasisTable {
 
 BasisTable make_table(Continuity continuity, int degree);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

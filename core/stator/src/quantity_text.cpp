@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 struct Prefix {
@@ -31,4 +31,4 @@ std::string quantity_text(double value, std::string_view unit) {
   return unit == "1" ? text : std::string(text) + " " + prefix.letter + std::string(unit);
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 Derived undifferentiated(double value) {
@@ -261,4 +261,4 @@ const char* to_string(ModeIdentity value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 namespace {
 
 // Radii closer than this share of the plate's outer radius are the same place.
@@ -94,4 +94,4 @@ Edges find_edges(const StatorGeometry& geometry) {
   return edges;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

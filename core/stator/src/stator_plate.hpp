@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// The dimensions of a geometry in numbers of the kind S; those of absent blocks are 0.
 template <typename S>
@@ -115,4 +115,4 @@ std::size_t segment_at(const StatorPlate<S>& plate, double radius) {
   return i;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

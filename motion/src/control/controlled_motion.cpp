@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kMostSamples = 1e6;
@@ -263,4 +263,4 @@ std::vector<ScheduleRow> gain_schedule(const MotorDesign& design, double load_to
   return rows;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

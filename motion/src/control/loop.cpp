@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 AngleSensor::AngleSensor(const std::optional<double>& counts) {
   if (counts) count_ = 2 * std::numbers::pi / *counts;
@@ -22,4 +22,4 @@ const char* to_string(Actuator value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A controller that measures an angle once in a sample, and changes the drive.
 class Loop {
@@ -37,4 +37,4 @@ class AngleSensor {
   double count_{0};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

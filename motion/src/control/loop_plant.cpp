@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr std::size_t kSpeedState = 2;
@@ -123,4 +123,4 @@ LoopMargins loop_margins(const LinearPlant& plant, const SpeedControl& control,
   return margins;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kShortestBurst = 0.05;  // of a sample
@@ -86,4 +86,4 @@ std::vector<Stretch> PositionLoop::applied(const Stretch& stretch) const {
   return {on, rest};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -8,7 +8,7 @@
 #include <deque>
 #include <functional>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A controller of the angle: as fast as the rest of the way allows, in bursts near the goal, and off at the goal.
 class PositionLoop final : public Loop {
@@ -45,4 +45,4 @@ class PositionLoop final : public Loop {
   std::deque<Drive> waiting_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 SpeedLoop::SpeedLoop(const SpeedControl& control, const LoopGains& gains)
     : control_(control),
@@ -49,4 +49,4 @@ std::vector<Stretch> SpeedLoop::applied(const Stretch& stretch) const {
   return {now};
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

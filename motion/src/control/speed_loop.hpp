@@ -7,7 +7,7 @@
 
 #include <deque>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A PI controller of the speed.
 class SpeedLoop final : public Loop {
@@ -29,4 +29,4 @@ class SpeedLoop final : public Loop {
   std::deque<double> waiting_;  // outputs that the delay holds back
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

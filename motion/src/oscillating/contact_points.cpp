@@ -10,7 +10,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kApart = 1;  // [m]: no stator reaches a rotor at this height
@@ -190,4 +190,4 @@ PointsMeans ContactPoints::viscous_step(const PointsMove& move, double height) {
   return sums.means(count_);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// The layer of a contact at one radius, in which every point has its own history.
 struct LayerLaw {
@@ -66,4 +66,4 @@ class ContactPoints {
   std::vector<double> strain_, strain_rate_;    // of a layer with viscosity or inertia
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

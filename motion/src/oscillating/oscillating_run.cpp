@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double kPointsOfOne = 64, kStepsOfOne = 100;  // at an accuracy of 1
@@ -254,4 +254,4 @@ Motion OscillatingRun::finish() {
   return std::move(motion_);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include "oscillating/period_watch.hpp"
 #include "oscillating/two_waves.hpp"
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// One motion of which every vibration is resolved: step after step, with a summary of each period of the drive.
 class OscillatingRun final : public Engine {
@@ -50,4 +50,4 @@ class OscillatingRun final : public Engine {
   Motion motion_{};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

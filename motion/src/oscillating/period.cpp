@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 constexpr double MotionSample::*kEven[] = {&MotionSample::voltage,
@@ -62,4 +62,4 @@ MotionSample between(const MotionSample& earlier, const MotionSample& later, dou
   return sample;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

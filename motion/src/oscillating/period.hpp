@@ -5,7 +5,7 @@
 
 #include <twum/motion/motion.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number x_1 + i x_2 of both modes or phases, x_1 + i x_2 = f e^(i psi) + b e^(-i psi).
 struct BothWays {
@@ -44,4 +44,4 @@ class Period {
 /// Numbers at a time between those of two samples, which change evenly.
 MotionSample between(const MotionSample& earlier, const MotionSample& later, double time);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 namespace {
 
 MotionEvent event_at(MotionEventKind kind, const MotionSample& s) {
@@ -61,4 +61,4 @@ void PeriodWatch::watch_wave(const MotionSample& before, const MotionSample& her
   if (torque > 0) overruns_ = false;
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Finds events in samples of each period: rest, release, reversal, and those of a Watch.
 class PeriodWatch {
@@ -29,4 +29,4 @@ class PeriodWatch {
   bool overruns_{false};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 TwoWaves::TwoWaves(const MotorDesign& design, const MotionModel& model, int points)
     : model_(&model),
@@ -208,4 +208,4 @@ double TwoWaves::longest_step() const {
   return 1 / std::sqrt(square);
 }
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

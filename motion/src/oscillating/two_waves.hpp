@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number for each of the two modes or phases, cosine first.
 using Two = std::array<double, 2>;
@@ -100,4 +100,4 @@ class TwoWaves {
   WavesWork work_{};
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -16,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -390,4 +390,4 @@ Certificate certify(const Problem& problem, std::span<const double> design,
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

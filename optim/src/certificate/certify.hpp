@@ -3,7 +3,7 @@
 
 #include "certificate/curvature.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A certificate with its first-order data.
 struct Certified {
@@ -25,4 +25,4 @@ std::optional<Certified> certify_in(Session& session, const Scaling& search,
 /// Largest number of evaluator calls for one certificate: curvature, kinks, probes and differences.
 inline std::size_t certificate_cost(std::size_t free_variables) { return 6 * free_variables + 36; }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kLineStep = 1e-4;  // of the size of a variable
@@ -140,4 +140,4 @@ std::string contradiction(Session& session, const Scaling& scaling, const KktPoi
          "' contradict its derivatives";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

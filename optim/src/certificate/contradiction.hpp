@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Says which response that matters has values that contradict its Jacobian along a line through a design; empty if none has
 /// (O5.1, O5.2).
@@ -16,4 +16,4 @@ namespace twum::optim {
 std::string contradiction(Session& session, const Scaling& scaling, const KktPoint& point,
                           const std::function<bool(std::size_t response)>& matters);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Which signs of a response have to be convex.
@@ -47,4 +47,4 @@ bool agree_with_convexity(const Problem& problem, const std::vector<FirstDesign>
   return true;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

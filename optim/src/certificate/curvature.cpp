@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -223,4 +223,4 @@ ConeCurvature cone_curvature(const Eigen::MatrixXd& hessian, const Strength& lim
   return cone;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

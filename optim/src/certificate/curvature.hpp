@@ -3,7 +3,7 @@
 
 #include "certificate/kkt.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Second derivatives of the Lagrangian in scaled variables by differences of exact gradients: central ones, or
 /// one-sided ones of second order beside a bound. Columns of variables that a bound holds with a multiplier are zero.
@@ -43,4 +43,4 @@ struct ConeCurvature {
 /// @param zero  curvature that counts as none
 ConeCurvature cone_curvature(const Eigen::MatrixXd& hessian, const Strength& limits, double zero);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

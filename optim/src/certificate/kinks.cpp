@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 using Eigen::Index;
 
@@ -129,4 +129,4 @@ std::optional<KktPoint> Kinks::neighbour(Index k, double step) {
   return kkt_point(session_, scaling_, scaling_.to_design(unit));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Kinks at one design: those that the evaluator reports, and those that gradients at its neighbours show.
 class Kinks {
@@ -45,4 +45,4 @@ class Kinks {
   std::vector<std::string> names_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -204,4 +204,4 @@ bool each_slope_is_balanced(const Eigen::MatrixXd& gradients, const Multipliers&
   return (m.residual.cwiseAbs().array() <= part * terms.array() + rounding).all();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One limit of one constraint, scaled.
 struct Limit {
@@ -84,4 +84,4 @@ bool each_slope_is_balanced(const Eigen::MatrixXd& gradients, const Multipliers&
 Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradients,
                              std::size_t objectives, double activity);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Change of the objective's value per unit of improvement: +1 when maximizing.
@@ -93,4 +93,4 @@ std::vector<Activity> report_limits(const Problem& problem, const Scaling& scali
   return report;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 using Eigen::Index;
 
@@ -71,4 +71,4 @@ std::optional<KktPoint> moved(Session& session, const Scaling& scaling, const Kk
   return kkt_point(session, scaling, scaling.to_design(unit));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "certificate/kkt.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Limits and bounds that a step has to meet, used as equations.
 struct Equations {
@@ -33,4 +33,4 @@ NewtonStep newton_step(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& ob
 std::optional<KktPoint> moved(Session& session, const Scaling& scaling, const KktPoint& from,
                               const Eigen::VectorXd& step);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -98,4 +98,4 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
   return Solver(a, b, free).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Minimizes |A x - b| with x_i >= 0 for every i whose `free` flag is false (Lawson and Hanson's active set method; a
 /// free unknown is never bounded). A may have dependent columns; columns should have about unit length.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                           const std::vector<bool>& free);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -261,4 +261,4 @@ OptimumMoves optimum_moves(const Problem& problem, std::span<const double> at, s
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

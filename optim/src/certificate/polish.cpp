@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -139,4 +139,4 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& searc
   return std::nullopt;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "certificate/certify.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Makes a few Newton steps on the optimality conditions with the active limits. Improves a nearly optimal design to
 /// machine precision. Returns the better design, or nothing if no step improved it. With several objectives, their sum
@@ -12,4 +12,4 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& searc
                                           std::span<const double> design,
                                           const std::vector<double>& weights = {1.0});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -90,4 +90,4 @@ Probed probe(Session& session, const Scaling& scaling, const ProbeBase& base,
   return Probe(session, scaling, base).along(direction);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "certificate/kkt.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A stationary point with what is known of its second order.
 struct ProbeBase {
@@ -26,4 +26,4 @@ struct Probed {
 Probed probe(Session& session, const Scaling& scaling, const ProbeBase& base,
              const Eigen::VectorXd& direction);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -42,4 +42,4 @@ Residuals condensed(const Residuals& residuals) {
   return few;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Some parts of a band's half width and of the rise of the squares: a picture shows a tenth of it.
@@ -94,4 +94,4 @@ std::optional<std::vector<double>> band_end(const std::vector<Variable>& paramet
   return best->design;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -104,4 +104,4 @@ std::vector<double> answer_moves(const ResidualFunction& residuals, const LeastS
   return Moves(residuals, fit, held).find();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

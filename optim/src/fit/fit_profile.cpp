@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // The linearised end is kept if the profile agrees to this, in half widths.
@@ -200,4 +200,4 @@ const char* to_string(IntervalEnd value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

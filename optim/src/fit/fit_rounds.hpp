@@ -6,7 +6,7 @@
 #include <string>
 
 /// Fits in which parameters and scatter are estimated in turn. Internal.
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Rounds after which such a fit is given up; most settle in ten.
 inline constexpr int kMostRounds = 60;
@@ -27,4 +27,4 @@ inline void leave_unsettled(const LeastSquaresOptions& options, const Counters& 
           : "parameters and scatter did not settle in " + std::to_string(kMostRounds) + " rounds";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

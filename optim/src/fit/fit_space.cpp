@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 using Eigen::Index;
 
@@ -158,4 +158,4 @@ LeastSquaresResult FitSpace::result(const FitEnd& end) const {
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

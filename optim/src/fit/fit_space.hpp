@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// End of a search for the least sum of squares.
 struct FitEnd {
@@ -72,4 +72,4 @@ FitEnd gsl_fit(FitSpace& space);
 /// Whether GSL is in this build.
 bool has_gsl();
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <limits>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -234,4 +234,4 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
   fill_follows(svd, scaled.size, state, result);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// End point of a fit.
 struct FittedState {
@@ -23,4 +23,4 @@ struct FittedState {
 void fit_statistics(const FittedState& state, const LeastSquaresOptions& options,
                     LeastSquaresResult& result);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Columns of the Jacobian by the parameters that are not at a bound. Internal.
 inline Eigen::MatrixXd free_jacobian(const Residuals& at, const LeastSquaresResult& fit) {
@@ -43,4 +43,4 @@ inline Eigen::MatrixXd parameter_rows(const Eigen::MatrixXd& columns,
   return unit_columns(columns).completeOrthogonalDecomposition().pseudoInverse() * basis;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

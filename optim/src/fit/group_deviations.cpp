@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -143,4 +143,4 @@ GroupDeviations group_deviations(const std::vector<Variable>& parameters,
   return GroupedFit(parameters, residuals, groups, options).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <exception>
 #include <memory>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -175,4 +175,4 @@ FitEnd gsl_fit(FitSpace& space) {
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

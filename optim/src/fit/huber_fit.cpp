@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -211,4 +211,4 @@ LeastSquaresResult huber_fit(const std::vector<Variable>& parameters,
   return HuberFit(parameters, residuals, options).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

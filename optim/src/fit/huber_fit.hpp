@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Residuals as Huber's loss counts them: their squares are the loss (L8.1). Internal.
 /// @param bend   residuals count by their square up to here, linearly beyond it; infinite: nothing changes
@@ -35,4 +35,4 @@ double huber_scale(std::span<const double> residuals, std::size_t degrees_of_fre
 LeastSquaresResult huber_fit(const std::vector<Variable>& parameters,
                              const ResidualFunction& residuals, const LeastSquaresOptions& options);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 using Eigen::Index;
 
@@ -48,4 +48,4 @@ SmallSample KenwardRoger::of(const Eigen::VectorXd& c) const {
   return {2.0 / v.dot(covariance_ * v), std::sqrt(1.0 + 2.0 * std::max(c.dot(more_ * c), 0.0))};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

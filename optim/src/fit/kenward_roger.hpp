@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// What each group of residuals tells of the parameters (L9.2). Internal.
 struct GroupShares {
@@ -36,4 +36,4 @@ class KenwardRoger {
   Eigen::MatrixXd more_;        // M
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

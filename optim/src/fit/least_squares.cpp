@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -154,4 +154,4 @@ const char* to_string(Loss value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Largest step in parts of a range. A simple fold then has a relative singular value of about a thousandth of its usual one,
@@ -66,4 +66,4 @@ std::vector<std::vector<std::string>> lost_rank(const std::vector<Variable>& par
   return sets;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -155,4 +155,4 @@ NeighbourTest neighbour_test(const Residuals& at, const LeastSquaresResult& fit,
   return test;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 bool has_gsl() { return false; }
 
@@ -11,4 +11,4 @@ FitEnd gsl_fit(FitSpace& /*space*/) {
   throw InputError("this build was made without GSL (TWUM_WITH_GSL=OFF)");
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

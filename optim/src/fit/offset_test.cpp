@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -62,4 +62,4 @@ OffsetTest offset_test(const Residuals& at, const LeastSquaresResult& fit, const
   return test;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

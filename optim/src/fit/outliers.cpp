@@ -11,7 +11,7 @@
 #include <numeric>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -160,4 +160,4 @@ std::vector<Outlier> find_outliers(const Residuals& at, const LeastSquaresResult
   return OutlierSearch(at, fit, deviation).find(level);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -188,4 +188,4 @@ SerialErrors serial_errors(const Residuals& at, const LeastSquaresResult& fit, c
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -133,4 +133,4 @@ std::vector<SmallSample> with_simulated_quantiles(const Residuals& at,
   return known;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

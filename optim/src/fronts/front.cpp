@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 std::vector<double> minimized(const Problem& problem, const Evaluation& evaluation) {
   std::vector<double> f(
@@ -52,4 +52,4 @@ void measure(Front& front, const Problem& problem, const std::vector<double>& re
     if (problem.objectives[k].sense == Sense::maximize) front.reference[k] = -turned[k];
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

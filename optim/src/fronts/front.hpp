@@ -5,7 +5,7 @@
 
 #include <twum/optim/pareto.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Objective values of an evaluation, with a sign such that all are minimized.
 std::vector<double> minimized(const Problem& problem, const Evaluation& evaluation);
@@ -16,4 +16,4 @@ void measure(Front& front, const Problem& problem, const std::vector<double>& re
 /// @throws InputError unless the problem is valid and has two or three objectives
 void validate_front(const Problem& problem, const std::vector<double>& reference);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

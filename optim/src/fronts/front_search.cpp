@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 namespace {
 
@@ -314,4 +314,4 @@ std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>
   return good ? std::move(s) : std::nullopt;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

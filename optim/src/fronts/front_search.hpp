@@ -4,7 +4,7 @@
 #include "fronts/front.hpp"
 #include "search/stage_runner.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One design of a front under construction.
 struct Solved {
@@ -86,4 +86,4 @@ class FrontSearch {
 std::vector<Solved> two_objective_front(FrontSearch& search, const ParetoOptions& options);
 std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptions& options);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Points = std::vector<std::vector<double>>;
@@ -154,4 +154,4 @@ std::vector<std::size_t> greedy_subset(const Points& front, std::size_t count,
   return order;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

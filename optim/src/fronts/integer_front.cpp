@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kMostCombinations = 64;  // as solve() enumerates
@@ -175,4 +175,4 @@ Front integer_front(const Problem& problem, const ParetoOptions& options) {
   return IntegerFront(problem, options).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

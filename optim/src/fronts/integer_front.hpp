@@ -3,7 +3,7 @@
 
 #include <twum/optim/pareto.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// True if an integer variable is not fixed by its bounds.
 bool has_free_integers(const Problem& problem);
@@ -13,4 +13,4 @@ bool has_free_integers(const Problem& problem);
 /// @throws InputError as pareto_front(), and for more than 64 combinations
 Front integer_front(const Problem& problem, const ParetoOptions& options);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 struct Individual {
@@ -245,4 +245,4 @@ Front nsga2(const Problem& problem, const Nsga2Options& options) {
   return Nsga2(problem, options).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 std::vector<std::vector<double>> usual_starts(StageRunner& runner, std::size_t count) {
@@ -224,4 +224,4 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   return front;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Directions (i, j, h - i - j) / h, ordered such that neighbours follow each other. Zero entries are replaced by
@@ -80,4 +80,4 @@ std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptio
   return front;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

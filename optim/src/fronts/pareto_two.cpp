@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Points within kSame of the front's size are equal; gaps above kWide may hide a piece of the front.
@@ -177,4 +177,4 @@ std::vector<Solved> two_objective_front(FrontSearch& search, const ParetoOptions
   return TwoObjectives(search, options).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

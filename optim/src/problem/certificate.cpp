@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/certificate.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 const char* to_string(Degeneracy degeneracy) {
   switch (degeneracy) {
@@ -24,4 +24,4 @@ const char* to_string(Side side) {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

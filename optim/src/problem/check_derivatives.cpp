@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kStep = 1e-3;  // of the size of a variable
@@ -117,4 +117,4 @@ std::vector<DerivativeCheck> check_derivatives(const Problem& problem,
   return Checker(problem, design).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

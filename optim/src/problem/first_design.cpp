@@ -3,7 +3,7 @@
 
 #include <twum/optim/low_discrepancy.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling) {
   constexpr std::size_t kTries = 64;
@@ -19,4 +19,4 @@ std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling
   return std::nullopt;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

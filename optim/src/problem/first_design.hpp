@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A design with its evaluation and Jacobian.
 struct FirstDesign {
@@ -18,4 +18,4 @@ struct FirstDesign {
 /// can. @throws Stop
 std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <nlopt.h>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 std::string nlopt_text() {
@@ -20,4 +20,4 @@ std::vector<LibraryVersion> library_versions() {
   return {{"NLopt", nlopt_text()}, {"Ipopt", TWUM_IPOPT_VERSION}, {"GSL", TWUM_GSL_VERSION}};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

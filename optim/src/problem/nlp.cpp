@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 Formulation plain_formulation(const Problem& problem, const Scaling& scaling,
                               std::size_t objective) {
@@ -191,4 +191,4 @@ void Nlp::keep(std::span<const double> z, const Evaluation& e) {
   best_ = std::move(seen);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 struct Term {
   std::size_t index{0};
@@ -139,4 +139,4 @@ class Nlp {
 /// Whether a is the better candidate: feasible first, then the smaller objective or violation.
 bool better(const Candidate& a, const Candidate& b, double feasibility_tolerance);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

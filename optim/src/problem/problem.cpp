@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 void require(bool condition, const std::string& text) {
@@ -101,4 +101,4 @@ const char* to_string(Slope slope) {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

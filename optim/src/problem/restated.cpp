@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "problem/restated.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // The answer to a question, row by row, from the answer of the original problem.
@@ -67,4 +67,4 @@ Restated restate(const Problem& problem, const Question& question, const Observe
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

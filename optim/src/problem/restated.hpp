@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Another objective for the same designs: one response or one variable, under some of the limits.
 struct Question {
@@ -27,4 +27,4 @@ struct Restated {
 /// Keeps a reference to the problem. An empty observer stays empty.
 Restated restate(const Problem& problem, const Question& question, const Observer& observer);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/result.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 const char* to_string(Outcome outcome) {
   switch (outcome) {
@@ -44,4 +44,4 @@ const char* to_string(StopReason value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

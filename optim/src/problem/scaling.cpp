@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 double range(const Variable& v) {
@@ -152,4 +152,4 @@ std::vector<double> sizes_at(const Problem& problem, std::span<const double> des
   return sizes;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

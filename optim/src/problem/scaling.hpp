@@ -3,7 +3,7 @@
 
 #include <twum/optim/problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Conversion between the user's units and scaled ones, for variables and responses.
 ///
@@ -73,4 +73,4 @@ std::vector<double> search_sizes(const Problem& problem, std::span<const double>
 /// below a thousandth of its unit has no magnitude: its size is one unit, or its range if that is less.
 std::vector<double> sizes_at(const Problem& problem, std::span<const double> design);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 bool same_bits(std::span<const double> a, const std::vector<double>& b) {
@@ -113,4 +113,4 @@ void Session::remember(std::span<const double> design, const Evaluation& evaluat
   slot.evaluation = evaluation;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <array>
 #include <chrono>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Thrown through a solver when the solve must end; never leaves the library.
 struct Stop {
@@ -75,4 +75,4 @@ class Session {
   std::size_t next_{0};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 double term_magnitude(const Problem& problem, std::size_t response, const Evaluation& evaluation,
                       std::span<const double> design) {
@@ -41,4 +41,4 @@ double relative_violation(const Problem& problem, const Evaluation& evaluation,
   return worst;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

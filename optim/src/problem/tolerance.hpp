@@ -3,7 +3,7 @@
 
 #include <twum/optim/problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Magnitude of the terms of a response at a design, max_j |x_j dc/dx_j|, user units; 0 without a Jacobian. A variable
 /// near zero counts with a ten-thousandth of its unit or of its range, whichever is smaller.
@@ -18,4 +18,4 @@ double limit_tolerance(const Constraint& constraint, double bound, double terms,
 double relative_violation(const Problem& problem, const Evaluation& evaluation,
                           std::span<const double> design, double relative);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // indices larger than the smallest by this are left out; their risk is 100 times smaller
@@ -109,4 +109,4 @@ ImportanceSample Centres::sample_unchanged(const SamplePlan& plan) const {
   return draw_importance(problem_, terms_, x_, centres_, plan);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

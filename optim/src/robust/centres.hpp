@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The worst point of a term, searched from a direction in which it fails.
 using WorstPoint = std::function<InversePoint(std::size_t term, std::span<const double> direction)>;
@@ -60,4 +60,4 @@ class Centres {
   NormalPoints centres_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr int kMostNewtonSteps = 40;
@@ -76,4 +76,4 @@ NearestFailure nearest_failure(const RobustProblem& problem, const Margin& margi
   return DesignPointSearch(problem, margin, x).from(start);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "robust/inverse_form.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The product nearest to the design at which a margin is 0, and its distance.
 struct NearestFailure {
@@ -18,4 +18,4 @@ struct NearestFailure {
 NearestFailure nearest_failure(const RobustProblem& problem, const Margin& margin,
                                std::span<const double> x, std::span<const double> start);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

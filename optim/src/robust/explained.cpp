@@ -6,7 +6,7 @@
 #include <twum/base/no_value.hpp>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 const Activity* activity_of(const Certificate& certificate, const std::string& name) {
@@ -126,4 +126,4 @@ double Explained::price_of_yield() const {
   return multiplier(round_.risk_line(0)) / round_.risk(0);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "robust/robust_search.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Sensitivities of a solved round to limits and tolerances, U6.1 to U6.5. What follows from the distribution of the failing
 /// products is missing with measured rows, whose failures are not those of their normal law (U1.11).
@@ -39,4 +39,4 @@ class Explained {
   std::vector<Moment> statistics_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 FailureShares::FailureShares(std::size_t inputs) {
   for (Sums& sums : samples_) sums.scores.resize(inputs);
@@ -59,4 +59,4 @@ IntervalEstimate FailureShares::tighter(std::size_t input, double confidence) co
   return ratio_of_replicates(list, confidence);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

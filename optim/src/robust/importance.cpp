@@ -11,7 +11,7 @@
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kWideShare = 0.1;
@@ -169,4 +169,4 @@ double weighted_spread(const ImportanceSample& sample, std::size_t term) {
   return std::sqrt(std::max(0.0, squares / weights - mean * mean));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

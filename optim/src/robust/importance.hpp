@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Which sample to draw, and on how many threads.
 struct SamplePlan {
@@ -58,4 +58,4 @@ double weighted_quantile(const ImportanceSample& sample, std::size_t term, doubl
 /// Standard deviation of a term's margin over the products with an answer.
 double weighted_spread(const ImportanceSample& sample, std::size_t term);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <functional>
 #include <twum/base/scalar_search.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr int kMostFormSteps = 40;
@@ -193,4 +193,4 @@ InversePoint inverse_form(const RobustProblem& problem, const Margin& margin,
   return InverseForm(problem, margin, x, beta).solve(start);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "robust/margin.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// G(x, beta) of U3.2: the least margin of built products at the distance beta from the design.
 struct InversePoint {
@@ -19,4 +19,4 @@ struct InversePoint {
 InversePoint inverse_form(const RobustProblem& problem, const Margin& margin,
                           std::span<const double> x, double beta, std::span<const double> start);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kOneLimit = 0.999;   // correlation from which two limits are one
@@ -84,4 +84,4 @@ std::vector<Overlap> overlaps_of(std::span<const double> beta,
   return list;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

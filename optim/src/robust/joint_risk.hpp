@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Two limits that may fail together, U3.5: the contribution of `later` to the risk is reduced by its overlap with
 /// `earlier`.
@@ -29,4 +29,4 @@ JointRisk joint_risk(std::span<const double> beta, std::span<const Overlap> over
 std::vector<Overlap> overlaps_of(std::span<const double> beta,
                                  std::span<const std::vector<double>> directions);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

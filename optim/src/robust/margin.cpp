@@ -6,7 +6,7 @@
 #include <twum/base/error.hpp>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Where input k stands among the built values.
@@ -140,4 +140,4 @@ Problem nominal_problem(const RobustProblem& problem) {
   return nominal;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

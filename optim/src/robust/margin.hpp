@@ -3,7 +3,7 @@
 
 #include <twum/optim/robust_problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One end of a limit as g(x, z) = sign (X - end) >= 0, U1.8.
 struct Margin {
@@ -46,4 +46,4 @@ MarginPoint margin_at(const RobustProblem& problem, const Margin& margin, std::s
 double norm(std::span<const double> v);
 double dot(std::span<const double> a, std::span<const double> b);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Rows that are no more than the columns, or a column that follows from others, have a singular matrix of correlations. This
@@ -71,4 +71,4 @@ std::vector<CorrelatedPair> measured_pairs(const MeasuredRows& rows, std::size_t
   return pairs;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

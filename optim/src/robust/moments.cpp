@@ -9,7 +9,7 @@
 #include <cmath>
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kMomentProducts = 256;
@@ -73,4 +73,4 @@ Moment moment(const RobustProblem& problem, const StatisticTarget& target,
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <twum/optim/robust_problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A statistic of a response and its derivatives, U2.1 to U2.3.
 struct Moment {
@@ -24,4 +24,4 @@ inline constexpr double kMostLostOfAMean = 1e-3;
 /// The fixed sample of a problem: 256 points of a scrambled Sobol sequence, as normal numbers.
 std::vector<std::vector<double>> moment_sample(const RobustProblem& problem, std::uint64_t seed);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/ray.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kLongestRay = 10.0;  // of t, in units of n
@@ -51,4 +51,4 @@ Problem ray_problem(const Problem& problem, const std::vector<double>& f,
   return ray;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

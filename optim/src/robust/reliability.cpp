@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kSoughtReplicates = 1'000'000;  // apart from those that decide
@@ -141,4 +141,4 @@ std::uint64_t WeightedProducts::balanced(std::uint64_t products) {
   return std::bit_ceil(std::max(products, FailureShares::kSamples * kLeastOfScramble));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kProductsOfARayRound[] = {4096, 16384};
@@ -220,4 +220,4 @@ RobustFront solve_robust_front(const RobustProblem& problem, std::size_t points,
   return RobustFrontSearch(problem, options).run(points);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -15,7 +15,7 @@
 #include <limits>
 #include <twum/base/ordered.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kStagesOfASolve = 1000;        // more than one search ever takes
@@ -475,4 +475,4 @@ SolvedRound RobustSearch::corrected(SolvedRound solved) {
   return solved;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

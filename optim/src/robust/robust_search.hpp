@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A solved round: its problem and its result.
 struct SolvedRound {
@@ -118,4 +118,4 @@ class RobustSearch {
   std::mutex observing_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

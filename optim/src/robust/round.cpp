@@ -5,7 +5,7 @@
 #include <cmath>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kLeastBeta = -3.0;  // negative, because some limits fail for most products
@@ -285,4 +285,4 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
   return std::move(rows).answer();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

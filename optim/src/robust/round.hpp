@@ -5,7 +5,7 @@
 #include "robust/joint_risk.hpp"
 #include "robust/moments.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One margin of the search. That of a yield target has a reliability index among the variables, that of a quantile a
 /// fixed one.
@@ -106,4 +106,4 @@ class RobustRound {
   std::vector<std::vector<double>> sample_;  // of means and standard deviations
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -12,7 +12,7 @@
 #include <limits>
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr int kMostBackOffs = 3;
@@ -245,4 +245,4 @@ RobustResult solve_form(const RobustProblem& problem, const RobustOptions& optio
   return RobustSolve(problem, options).form();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

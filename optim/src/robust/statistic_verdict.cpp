@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kConfidence = 0.95;
@@ -47,4 +47,4 @@ double statistic_shift(const StatisticTarget& target, const IntervalEstimate& se
   return std::isfinite(room) ? error + room : error;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A statistic of the values of independent products, with its 95 % interval; those without an answer do not count.
 IntervalEstimate statistic_estimate(const StatisticTarget& target, std::vector<double> values);
@@ -20,4 +20,4 @@ YieldVerdict verdict_on(const StatisticTarget& target, const IntervalEstimate& s
 double statistic_shift(const StatisticTarget& target, const IntervalEstimate& seen,
                        double searched);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 void validate_robust(const RobustProblem& problem) {
   if (problem.inputs.empty())
@@ -63,4 +63,4 @@ const char* to_string(RobustGoal value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,9 +3,9 @@
 
 #include <twum/optim/robust_problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// @throws InputError unless the problem is valid
 void validate_robust(const RobustProblem& problem);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

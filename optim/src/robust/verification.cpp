@@ -13,7 +13,7 @@
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kFreshStream =
@@ -213,4 +213,4 @@ Verification weighted(Verification seen, const RobustTerms& terms,
   return seen;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

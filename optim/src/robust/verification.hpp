@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Whether the yields are known well enough, so that no more products are made.
 using EnoughProducts = std::function<bool(const std::vector<YieldEstimate>&)>;
@@ -33,4 +33,4 @@ bool wants_rare(const RobustProblem& problem);
 Verification weighted(Verification seen, const RobustTerms& terms,
                       const std::function<ImportanceSample(std::uint64_t)>& sample);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

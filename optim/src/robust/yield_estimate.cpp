@@ -5,7 +5,7 @@
 #include <cmath>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kTail = 0.025;  // outside the interval, on each side
@@ -52,4 +52,4 @@ double risk_to_aim_at_weighted(double risk) {
   return risk / (1.0 + kRoom);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

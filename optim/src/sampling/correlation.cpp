@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Eigen::Index;
@@ -98,4 +98,4 @@ std::vector<double> Correlation::parts(std::span<const double> z) const {
   return numbers_of((L * numbers).cwiseProduct(solved));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -15,7 +15,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 namespace policies = boost::math::policies;
@@ -127,4 +127,4 @@ ProbabilityRange probability_range(std::uint64_t hits, std::uint64_t draws, doub
   return {Binomial::find_lower_bound_on_p(n, k, tail), Binomial::find_upper_bound_on_p(n, k, tail)};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <bit>
 #include <string>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30U;
@@ -56,4 +56,4 @@ void LatinHypercube::point(std::uint64_t index, std::span<double> point) const {
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <bit>
 #include <boost/random/sobol.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::size_t kMostDimensions = 3667;  // of the direction numbers that Boost carries
@@ -60,4 +60,4 @@ std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t
   return points;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

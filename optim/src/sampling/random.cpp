@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/random.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
@@ -24,4 +24,4 @@ std::uint64_t Random::bits() noexcept {
   return left;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

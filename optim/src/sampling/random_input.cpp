@@ -5,7 +5,7 @@
 #include <cmath>
 #include <twum/optim/distributions.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr double kMostDeviations = 8.2;
@@ -73,4 +73,4 @@ const char* to_string(Law value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

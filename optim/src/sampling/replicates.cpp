@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 namespace {
 
@@ -52,4 +52,4 @@ IntervalEstimate difference_of_ratios(std::span<const ReplicateSums> more,
   return with_interval(a.value - b.value, moves, confidence);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 void Moments::add(double value) noexcept {
   const auto before = static_cast<double>(count_);
@@ -53,4 +53,4 @@ IntervalEstimate Moments::sd_estimate(double confidence) const {
   return {value, centre * std::exp(-z * error / 2), centre * std::exp(z * error / 2)};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 double interpolated(std::span<const double> sorted, double p) {
@@ -42,4 +42,4 @@ IntervalEstimate proportion_estimate(std::uint64_t hits, std::uint64_t draws, do
   return {static_cast<double>(hits) / static_cast<double>(draws), range.low, range.high};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

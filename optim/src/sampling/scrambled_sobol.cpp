@@ -8,7 +8,7 @@
 #include <boost/random/sobol.hpp>
 #include <string>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr std::size_t kDimensions = 3667;      // of the direction numbers that Boost carries
@@ -82,4 +82,4 @@ void ScrambledSobol::point(std::uint64_t index, std::span<double> x) const {
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

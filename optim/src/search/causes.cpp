@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Rows = std::vector<std::size_t>;
@@ -306,4 +306,4 @@ Causes find_causes(const Problem& problem, const SolveOptions& options, const De
   return Investigation(problem, options, deadline, most).run(std::move(found));
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

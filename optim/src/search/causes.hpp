@@ -3,7 +3,7 @@
 
 #include "problem/session.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Result and cost of the search for causes.
 struct Causes {
@@ -29,4 +29,4 @@ std::size_t cost_of_causes(const Counters& search, const Budget& budget);
 Causes find_causes(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
                    std::size_t most, Infeasibility found);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

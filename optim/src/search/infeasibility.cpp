@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // A formulation in which each finite side of each row with `soft` has a slack.
@@ -190,4 +190,4 @@ Explanation explain_infeasible(StageRunner& runner, std::span<const double> unit
   return told;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

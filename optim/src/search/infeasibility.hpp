@@ -3,7 +3,7 @@
 
 #include "search/stage_runner.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Searches for a feasible design, or for the least infeasible one, by an elastic solve: each limit may be violated
 /// at a penalty. Returns the best design in the unit box; nothing if no run has evaluated a design. @throws what the
@@ -21,4 +21,4 @@ struct Explanation {
 /// Explains a problem without a feasible design, at the least infeasible one.
 Explanation explain_infeasible(StageRunner& runner, std::span<const double> unit);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Whole = std::vector<double>;  // one value for each integer variable
@@ -192,4 +192,4 @@ Result integer_search(const Problem& problem, const SolveOptions& options,
   return IntegerSearch(problem, options, deadline).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "problem/session.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Solves a problem with integer variables, which are never evaluated at fractions. If there are at most 64
 /// combinations, each is solved. Otherwise the search moves from the rounded start to the best neighbour, one step of
@@ -12,4 +12,4 @@ namespace twum::optim {
 Result integer_search(const Problem& problem, const SolveOptions& options,
                       const Deadline& deadline);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Place of a value in its variable's range by the variable's scale: 0 at the lower end, 1 at the upper one; 0 in a range of one value.
 inline double place_in_range(const Variable& v, double x) {
@@ -20,4 +20,4 @@ inline double value_in_range(const Variable& v, double place) {
                                : v.lower + place * (v.upper - v.lower);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

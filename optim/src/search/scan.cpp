@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Searches from samples above the answer: a narrow valley may have none below it.
@@ -215,4 +215,4 @@ Result look_further(const Problem& problem, const SolveOptions& options, Result 
   return FurtherLook(problem, options, std::move(found)).run();
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

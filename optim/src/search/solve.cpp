@@ -16,7 +16,7 @@
 #include <mutex>
 #include <twum/base/error.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // The problem within so many sizes of a design: where other starts lie does not depend on the width of a range that is
@@ -419,4 +419,4 @@ Result solve(const Problem& problem, const SolveOptions& options) {
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

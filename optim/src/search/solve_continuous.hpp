@@ -3,7 +3,7 @@
 
 #include "problem/session.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The solvers that auto tries after its starts, in this order, each from the best design so far.
 struct Ladder {
@@ -19,4 +19,4 @@ Result solve_continuous(const Problem& problem, const SolveOptions& options,
 /// solve() for a valid problem, without the search for causes.
 Result solve_plainly(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

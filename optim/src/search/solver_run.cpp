@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Calls after which a local search is given up, within the quota.
@@ -125,4 +125,4 @@ void finish_run(SolverRun& run, const Scaling& scaling) {
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One run of one solver from one start, with its result. Its session stays open, so that polish and certificate can
 /// follow within the same stage.
@@ -52,4 +52,4 @@ SolverRun run_solver_from(const Problem& problem, const SolveOptions& options,
 /// plain formulations with one objective.
 void finish_run(SolverRun& run, const Scaling& scaling);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 StageRunner::StageRunner(const Problem& problem, const SolveOptions& options,
                          const Deadline& deadline)
@@ -202,4 +202,4 @@ void StageRunner::book(const Result& nested) {
   note_stop(nested.stop);
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

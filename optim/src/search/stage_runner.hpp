@@ -4,7 +4,7 @@
 #include "problem/first_design.hpp"
 #include "search/solver_run.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Bookkeeping of one solve: the budget shared by stages, counters, stage numbers, and the clock.
 class StageRunner {
@@ -84,4 +84,4 @@ class StageRunner {
   StopReason stop_{StopReason::finished};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 void require_fit(const Problem& problem, const SolveOptions& options) {
@@ -58,4 +58,4 @@ Result solve_without_derivatives(const Problem& problem, const SolveOptions& opt
   return result;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "problem/session.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Solves a problem whose evaluator gives no Jacobian, with the named derivative-free solver. Its certificate is not
 /// measured: no more than feasibility is known of the answer.
@@ -11,4 +11,4 @@ namespace twum::optim {
 Result solve_without_derivatives(const Problem& problem, const SolveOptions& options,
                                  const Deadline& deadline);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 // The best design counts as better if its objective falls by a hundred thousandth or, as long as it breaks limits, what they are
 // broken by falls by a tenth: a search that converges does more within some tens of points.
@@ -58,4 +58,4 @@ bool Allowance::take(std::span<const double> z) {
   return true;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

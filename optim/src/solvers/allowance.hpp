@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Word of a run that was ended because it came to an optimum that is known already.
 inline constexpr const char* kKnownOptimum = "KNOWN_OPTIMUM";
@@ -59,4 +59,4 @@ class Allowance {
   const char* word_{""};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

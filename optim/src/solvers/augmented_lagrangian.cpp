@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // tau: required reduction of the violation from one minimum to the next
@@ -93,4 +93,4 @@ RunReport minimize(AugmentedLagrangian& lagrangian, const InnerSearch& inner,
   return report;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One side of a constraint row in the form of solvers: sign * (c - limit) <= 0, or = 0.
 struct OneSide {
@@ -68,4 +68,4 @@ struct InnerSearch {
 RunReport minimize(AugmentedLagrangian& lagrangian, const InnerSearch& inner,
                    std::vector<double> z);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

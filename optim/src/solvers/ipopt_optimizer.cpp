@@ -10,7 +10,7 @@
 #include <exception>
 #include <mutex>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 using Ipopt::Index;
@@ -244,4 +244,4 @@ std::vector<Optimizer> ipopt_optimizers() {
   return {{info, run_ipopt}};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // An option and our default; none: Ipopt's own.
@@ -106,4 +106,4 @@ std::vector<SolverOption> ipopt_options() {
   return list;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

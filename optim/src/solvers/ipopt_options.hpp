@@ -9,7 +9,7 @@ namespace Ipopt {
 class OptionsList;
 }
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Checked options for Ipopt: texts, numbers and integers.
 struct IpoptSettings {
@@ -24,4 +24,4 @@ IpoptSettings check_ipopt_settings(const RunSettings& settings);
 /// @throws Error if Ipopt refuses one of them, which would be a bug in the table
 void apply_ipopt_settings(const IpoptSettings& settings, Ipopt::OptionsList& options);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

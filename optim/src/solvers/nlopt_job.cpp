@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 struct OptDeleter {
@@ -95,4 +95,4 @@ NloptEnd run_job(const NloptJob& job, NloptRequests& requests) {
   return end;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

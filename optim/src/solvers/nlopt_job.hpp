@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One call of nlopt_optimize() as plain values, so that it can be made here or in another process.
 struct NloptJob {
@@ -55,4 +55,4 @@ class NloptRequests {
 /// Runs NLopt in this thread.
 NloptEnd run_job(const NloptJob& job, NloptRequests& requests);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

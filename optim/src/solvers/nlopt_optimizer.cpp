@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 // Tolerances in the unit box. They are tight, because the certificate decides whether a point is optimal, and the
@@ -301,4 +301,4 @@ std::vector<SolverOption> nlopt_options() {
        "limit of each search within an augmented Lagrangian or mlsl", 1, 1e9}};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

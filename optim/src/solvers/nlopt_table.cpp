@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solvers/nlopt_table.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr nlopt_algorithm kNone = NLOPT_NUM_ALGORITHMS;
@@ -91,4 +91,4 @@ bool may_turn_for_ever(const NloptAlgorithm& a) {
   return id == NLOPT_LN_COBYLA || id == NLOPT_LN_BOBYQA || id == NLOPT_LN_PRAXIS;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <nlopt.h>
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One NLopt algorithm: its name in the library and its capabilities.
 struct NloptAlgorithm {
@@ -27,4 +27,4 @@ std::span<const NloptAlgorithm> nlopt_algorithms();
 /// Whether the algorithm may compute forever between two requests, see docs/optimization.md.
 bool may_turn_for_ever(const NloptAlgorithm& algorithm);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include "solvers/optimizer.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 std::vector<Optimizer> ipopt_optimizers() {
   SolverInfo info;
@@ -21,4 +21,4 @@ std::vector<Optimizer> ipopt_optimizers() {
 
 std::vector<SolverOption> ipopt_options() { return {}; }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

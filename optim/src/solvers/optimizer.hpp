@@ -6,7 +6,7 @@
 #include <twum/optim/own_solver.hpp>
 #include <twum/optim/solvers.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Settings of one solver run.
 struct RunSettings {
@@ -65,4 +65,4 @@ void require_known_options(const RunSettings& settings, const std::vector<Solver
 /// Of the candidates, the one nearest to `name` in edit distance; empty if none is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

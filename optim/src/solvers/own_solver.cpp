@@ -3,7 +3,7 @@
 
 #include "solvers/optimizer.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 ScaledProblem scaled_problem(Nlp& nlp, std::span<const double> start, const RunSettings& settings) {
@@ -40,4 +40,4 @@ Optimizer own_optimizer(SolverInfo info, OwnSolver solver) {
           }};
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

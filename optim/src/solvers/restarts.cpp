@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr int kMostRestarts = 60;  // number of restarts, each in a smaller or a shifted box
@@ -77,4 +77,4 @@ void Restarts::nudge(std::span<const double> failed) {
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

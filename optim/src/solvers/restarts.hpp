@@ -3,7 +3,7 @@
 
 #include "problem/nlp.hpp"
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Restarts for solvers that cannot handle a design that cannot be evaluated. Their run is stopped and started again
 /// from the best design, in a box that excludes the failed one. If a run ends at the boundary of its box, the box
@@ -35,4 +35,4 @@ class Restarts {
   int nudges_{0};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

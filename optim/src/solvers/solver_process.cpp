@@ -17,7 +17,7 @@
 #include <ctime>
 #include <system_error>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 constexpr int kLook = 20;        // [ms]
@@ -309,4 +309,4 @@ void SolverProcess::end() {
   process_ = -1;
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

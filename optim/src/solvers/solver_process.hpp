@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The command of use_solver_process(); empty: none.
 const std::vector<std::string>& solver_process();
@@ -45,4 +45,4 @@ class SolverProcess {
   int socket_{-1};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -12,7 +12,7 @@
 #include <deque>
 #include <mutex>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 namespace {
 
 const std::vector<Optimizer>& registry() {
@@ -188,4 +188,4 @@ void require_known_options(const RunSettings& settings, const std::vector<Solver
   }
 }
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

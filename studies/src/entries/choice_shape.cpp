@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 // A path, or a path with a name for results.
@@ -65,4 +65,4 @@ std::vector<SetFile> set_files(YamlNode& study) {
   return files;
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The entry `choose`: sets of parameters in files; internal.
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// Choices by name, each a list of files. Their values come from read_sets().
 Shape<std::vector<DesignChoice>> choices();
@@ -32,4 +32,4 @@ struct SetFile {
 /// The files that a study's `choose` names; items that are not paths are left out.
 std::vector<SetFile> set_files(YamlNode& study);
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 // A heading, or the number of a column.
@@ -99,4 +99,4 @@ Shape<std::vector<ColumnChoice>> columns() {
   return named_items(std::move(schema), column(), &ColumnChoice::quantity, check_quantity);
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 bool check_range(DesignVariable& range, const Given& given, Diagnostics& diagnostics) {
@@ -344,4 +344,4 @@ void check_repeats(const Given& given, Diagnostics& diagnostics) {
   check_list(given, "limits", diagnostics);
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

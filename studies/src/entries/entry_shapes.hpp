@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Entries that several kinds of study have; internal.
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// Variables in a template.
 inline constexpr const char* kRanges =
@@ -134,4 +134,4 @@ void check_log(const Given& given, double min, Diagnostics& diagnostics);
 void check_repeats(const Given& given, Diagnostics& diagnostics);
 /// @}
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

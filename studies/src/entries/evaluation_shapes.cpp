@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -403,4 +403,4 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
       check_sensitivity);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

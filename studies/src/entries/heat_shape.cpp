@@ -4,7 +4,7 @@
 
 #include <twum/io/words.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -39,4 +39,4 @@ Shape<HeatStudy> HeatStudy::shape() {
       std::move(fields), check_heat);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -31,4 +31,4 @@ Shape<LifeStudy> LifeStudy::shape() {
       std::move(fields), check_life);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -108,4 +108,4 @@ Shape<MapStudy> MapStudy::shape() {
       check_map);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

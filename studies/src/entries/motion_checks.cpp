@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr double kMostPeriods = 1e6, kMostRows = 1e6;
@@ -288,4 +288,4 @@ void check_motion(const Study& study, const MotorDesign& motor, const YamlNode& 
     MotionCheck(*asked, motor, root, diagnostics).check();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,10 +6,10 @@
 #include <twum/io/yaml_node.hpp>
 #include <twum/studies/study.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Adds an error for each entry of a motion that its motor cannot follow.
 void check_motion(const Study& study, const MotorDesign& motor, const YamlNode& root,
                   Diagnostics& diagnostics);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Sample = motion::MotionSample;
@@ -147,4 +147,4 @@ MotionMeasure motion_measure(std::string_view typed) {
   return measure;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

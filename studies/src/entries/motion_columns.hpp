@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Names of what a motion has over time, and of the numbers that may be asked for; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A column of a motion behind its time.
 struct MotionColumn {
@@ -28,4 +28,4 @@ std::vector<std::string_view> motion_column_names();
 /// The measure that a text such as "time_to(speed, 90 %)" names. @throws ValueError
 MotionMeasure motion_measure(std::string_view text);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

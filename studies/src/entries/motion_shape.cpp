@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -266,4 +266,4 @@ Shape<MotionStudy> MotionStudy::shape() {
       has_duration);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

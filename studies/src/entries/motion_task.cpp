@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 double MotionStudy::step() const { return output.step.value_or(duration / 1000); }
 
@@ -87,4 +87,4 @@ motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& moto
   return task;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

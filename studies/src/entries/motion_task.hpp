@@ -8,7 +8,7 @@
 #include <vector>
 
 /// What a study of a motion does to its motor; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The motor with what the study says of the load.
 MotorDesign motion_motor(const MotionStudy& asked, const MotorDesign& motor);
@@ -24,4 +24,4 @@ motion::PositionControl position_control(const MotionControl& asked, const Motor
 /// What is done to a motor of the study, without the times of samples.
 motion::MotionTask motion_task(const MotionStudy& asked, const MotorDesign& motor);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

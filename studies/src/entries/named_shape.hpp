@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Mappings whose keys are names of the user's; internal.
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// What else is asked of an entry. Adds diagnostics and returns false if something is wrong.
 using EntryCheck = std::function<bool(const YamlEntry&, const Spot&, Diagnostics&)>;
@@ -51,4 +51,4 @@ Shape<std::vector<T>> named_items(Schema schema, const Shape<T>& item, std::stri
   return shape;
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -14,7 +14,7 @@
 #include <functional>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // The range of a varied parameter, and the value it has first.
@@ -329,4 +329,4 @@ std::vector<std::string> range_notes(const Study& study, const MotorDesign& moto
   return notes;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

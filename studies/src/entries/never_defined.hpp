@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Adds an error for each variable that the motor cannot have and for each metric that none of its motors has: those that need
 /// modal data, a geometry, a sensor or a voltage that nothing gives.
@@ -21,4 +21,4 @@ void check_defined(const Study& study, const MotorDesign& motor, const YamlNode&
 std::vector<std::string> range_notes(const Study& study, const MotorDesign& motor,
                                      const YamlNode& study_node, const std::string& path);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

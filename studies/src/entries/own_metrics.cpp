@@ -8,7 +8,7 @@
 #include <memory>
 #include <variant>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 class Collector {
@@ -65,4 +65,4 @@ OwnMetrics own_metrics(const Study& study) {
   return std::move(collector).found();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Radii as near as this are one edge of the plate, as a share of its outer radius.
@@ -127,4 +127,4 @@ void check_plate_derivatives(const Study& study, const MotorDesign& motor, const
   std::visit(of_search, study);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

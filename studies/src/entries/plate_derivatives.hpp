@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Another radius of the stator's geometry that is equal to a given one and does not follow from it; nothing if there is none. To move
 /// one of the two alone makes an edge of its own, or a stator that cannot be.
@@ -21,4 +21,4 @@ std::optional<Parameter> equal_radius(const MotorDesign& design, Parameter radiu
 void check_plate_derivatives(const Study& study, const MotorDesign& motor, const YamlNode& root,
                              Diagnostics& diagnostics);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

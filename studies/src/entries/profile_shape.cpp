@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 using io::YamlNode;
@@ -119,4 +119,4 @@ io::Shape<std::vector<Interval>> intervals(std::string text) {
   return shape;
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

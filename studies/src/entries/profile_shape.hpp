@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Numbers and intervals over time in study files; internal.
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// A value at all times, or rows [time, value].
 Shape<motion::Profile> profile(std::string text, std::string unit, std::string example);
@@ -16,4 +16,4 @@ Shape<motion::Profile> profile(std::string text, std::string unit, std::string e
 /// [begin, end], or more of such pairs in one list; intervals of rising times.
 Shape<std::vector<motion::Interval>> intervals(std::string text);
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -3,7 +3,7 @@
 
 #include <twum/io/words.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 void Repeats::see(const YamlNode& item, const std::string& meaning) {
   const auto [first, added] = first_.emplace(meaning, item.mark);
@@ -12,4 +12,4 @@ void Repeats::see(const YamlNode& item, const std::string& meaning) {
                     first->second, "first given here"});
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

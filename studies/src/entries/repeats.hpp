@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Finds repeated items of a list in n log n time.
 class Repeats {
@@ -27,4 +27,4 @@ class Repeats {
   std::map<std::string, SourceMark> first_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -19,7 +19,7 @@
 #include <map>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,4 +253,4 @@ std::vector<std::string> differences(const std::string& stored, const std::strin
   return lines;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A complete study: the whole motor, and every default written out.
 struct ResolvedStudy {
@@ -48,4 +48,4 @@ std::string content_of(const ResolvedStudy::NamedFile& file);
 /// @param stored  text() of the one that is there
 std::vector<std::string> differences(const std::string& stored, const std::string& now);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

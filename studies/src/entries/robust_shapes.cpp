@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 StudyLimit parse_study_limit(std::string_view text) {
@@ -104,4 +104,4 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
   }
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// A limit of a search: on the motor, or on a statistic of the built motors.
 struct StudyLimit {
@@ -73,4 +73,4 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
                       const std::vector<StatisticLimit>& statistics, const Given& given,
                       Diagnostics& diagnostics);
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

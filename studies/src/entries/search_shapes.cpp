@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <set>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -340,4 +340,4 @@ const char* to_string(Scatter value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

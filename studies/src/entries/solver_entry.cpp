@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A number in the notation of solvers, "5e-9", from any notation.
@@ -238,4 +238,4 @@ void check_solver(const Given& study, Diagnostics& diagnostics) {
   checker.check_whole_numbers(study);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

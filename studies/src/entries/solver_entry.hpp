@@ -7,7 +7,7 @@
 #include <string>
 
 /// The entry `solver:` of a study: its shape and its checks; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Name under which `solver:` of a front asks for the evolutionary search.
 inline constexpr const char* kNsga2 = "nsga2";
@@ -20,4 +20,4 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh);
 /// solver.
 void check_solver(const Given& study, Diagnostics& diagnostics);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 double between(double min, double max, double t, optim::Scale scale) {
   if (t <= 0) return min;
@@ -14,4 +14,4 @@ double between(double min, double max, double t, optim::Scale scale) {
   return std::clamp(value, min, max);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,10 +3,10 @@
 
 #include <twum/optim/problem.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Interpolates from min to max on a linear or logarithmic scale; t in [0, 1]. Exactly min and max at the ends, never
 /// outside. SI.
 double between(double min, double max, double t, optim::Scale scale);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 namespace fs = std::filesystem;
@@ -361,4 +361,4 @@ StudyFile read_study_file(const std::string& path, std::span<const std::string> 
   return file;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 template <typename S>
@@ -91,4 +91,4 @@ const Shape<StudyText>& study_file_shape() {
 
 const Schema& study_file_schema() { return study_file_shape().schema; }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

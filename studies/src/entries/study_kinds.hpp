@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Shape of a study of one kind in a file; static lifetime.
 const Shape<Study>& study_shape(StudyKind kind);
@@ -26,4 +26,4 @@ struct StudyText {
 /// Shape of a study file; static lifetime.
 const Shape<StudyText>& study_file_shape();
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

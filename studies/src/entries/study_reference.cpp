@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr const char* kIntroduction = R"text(# The study file
@@ -79,4 +79,4 @@ std::string study_reference() {
   return text;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 SchemaEntry entry(const char* name, const char* text, const std::string& example) {
@@ -92,4 +92,4 @@ std::string study_template(StudyKind kind, std::string_view motor, std::optional
   return yaml_template(file, heading);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 namespace {
 
 using Shape_ = Tolerance::Shape;
@@ -314,4 +314,4 @@ std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerance
   return notes;
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

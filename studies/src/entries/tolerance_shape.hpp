@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies::shapes {
+namespace twum::inline v0_1::studies::shapes {
 
 /// Tolerances by parameter: `preload: 3 %`, or a mapping with the distribution.
 Shape<std::vector<Tolerance>> tolerances(std::string text);
@@ -32,4 +32,4 @@ void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesig
 std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerances,
                                          const MotorDesign& design);
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::inline v0_1::studies::shapes

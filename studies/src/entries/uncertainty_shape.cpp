@@ -7,7 +7,7 @@
 #include <twum/io/number.hpp>
 #include <twum/io/words.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using namespace shapes;
 
@@ -107,4 +107,4 @@ const char* to_string(DrawMethod value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

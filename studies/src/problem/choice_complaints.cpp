@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A name becomes a column of results.csv, beside parameters, metrics, stage and status.
@@ -155,4 +155,4 @@ std::vector<ChoiceComplaint> choice_complaints(const DesignProblem& problem) {
   return ChoiceCheck(problem).run();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

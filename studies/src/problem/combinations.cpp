@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // The number of a set in a design, from 0.
@@ -96,4 +96,4 @@ MotorDesign motor_of_combination(const DesignProblem& problem, const VariedParam
   return varied.motor(list);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A question for each combination of the choices, with their sets in its motor and nothing left to choose; the question
 /// itself if there is no choice. The set of the first choice changes fastest.
@@ -25,4 +25,4 @@ VariedParameters varied_parameters(const DesignProblem& problem);
 MotorDesign motor_of_combination(const DesignProblem& problem, const VariedParameters& varied,
                                  std::span<const double> values);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// "1 N.m, 40 rpm": the arguments of a metric at a torque and a speed, which are read as the same numbers.
 std::string held_arguments(const DutyPoint& point);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 const DesignVariable* variable_of(const DesignProblem& problem, Parameter parameter) {
@@ -240,4 +240,4 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   return limits;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

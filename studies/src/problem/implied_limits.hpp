@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Next to the voltage at which the running wave ends, metrics change with the square root of what is left: a search asks for this
 /// reserve.
@@ -33,4 +33,4 @@ struct ImpliedLimit {
 /// coefficients of friction last.
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <twum/motion/manoeuvres.hpp>  // gives the program metrics of motions
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A torque that the drive does not hold at a speed.
@@ -73,4 +73,4 @@ std::vector<MetricDerivative> metric_values(const Motor& motor,
   return metric_values(motor, ExpressionEvaluator(expressions), gradient, fixed_static_friction);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Values of expressions, with derivatives in every parameter in use if `gradient`. A metric at a load that the motor
 /// cannot carry is evaluated at kReachable times the largest torque, if there is one; one at a torque and a speed that the drive does
@@ -25,4 +25,4 @@ std::vector<MetricDerivative> metric_values(const Motor& motor,
 /// and far enough from the maximum for speed_at to have a derivative.
 inline constexpr double kReachable = 0.999;
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <memory>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 void require_admissible(const DesignVariable& variable, double value, const char* what) {
@@ -217,4 +217,4 @@ optim::Problem posed_problem(const DesignProblem& problem) {
   return result;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Relative step to either side of a kink. It is far above rounding, and its error in the one-sided derivative is of
@@ -266,4 +266,4 @@ optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool 
   return evaluation;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The reserves of voltage that a motor under a fixed drive has where it runs: computed, so that a search sees how near its end is,
 /// or taken as large, for motors that are only counted.
@@ -69,4 +69,4 @@ class MotorResponses {
   std::vector<CombinationResponses> combinations_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using optim::Outcome;
@@ -110,4 +110,4 @@ optim::Result solve_from_starts(const optim::Problem& problem, const optim::Solv
   return optim::look_further(problem, options, local_searches(problem, options));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <twum/optim/solve.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// optim::solve() with several starts also for a local solver chosen by name: the best of `options.starts` runs, the
 /// first from the problem's start, the others from a low-discrepancy sequence, within one budget. Of answers that are
@@ -11,4 +11,4 @@ namespace twum::studies {
 /// optimum.
 optim::Result solve_from_starts(const optim::Problem& problem, const optim::SolveOptions& options);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

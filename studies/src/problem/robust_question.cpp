@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Kind = StatisticRequest::Kind;
@@ -310,4 +310,4 @@ optim::RobustProblem robust_problem(const RobustQuestion& question) {
   return RobustBuilder(question).build();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <cctype>
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 double named_quantity(const char* name, std::string_view text, const Expected& expected) {
@@ -141,4 +141,4 @@ DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,
   return size(problem, std::span(&duty, 1), options, drive);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

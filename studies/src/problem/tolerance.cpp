@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Largest share of a distribution that may lie outside the admissible range of its parameter, where no motor can be: a distribution
@@ -161,4 +161,4 @@ const char* to_string(Tolerance::Shape shape) {
   return "beta";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// The parts of pages that are the same in all of them; made at build time by cmake/EmbedReport.cmake.
-namespace twum::studies::assets {
+namespace twum::inline v0_1::studies::assets {
 
 /// Templates: of a report, of `twum explore`, and of a data sheet with its style.
 /// @{
@@ -26,4 +26,4 @@ std::string_view designer_script_hash();
 /// The core as WebAssembly, compressed by gzip; empty in a build without it.
 std::string_view core_module();
 
-}  // namespace twum::studies::assets
+}  // namespace twum::inline v0_1::studies::assets

@@ -16,7 +16,7 @@
 #include <numbers>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A field every 2 % of the speed, 100 places across the contact.
@@ -137,4 +137,4 @@ Json curves_json(const std::vector<telling::MotorCurve>& curves) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

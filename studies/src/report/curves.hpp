@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Curves and fields that a report shows; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The given parameters of a design, by flat name [SI].
 Json design_json(const MotorDesign& design);
@@ -20,4 +20,4 @@ Json curve_json(const telling::MotorCurve& curve);
 /// Those of an answer at their places; null at others.
 Json curves_json(const std::vector<telling::MotorCurve>& curves);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

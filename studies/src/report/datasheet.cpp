@@ -14,7 +14,7 @@
 #include <array>
 #include <cstdio>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Hash of the motor, independent of the format of its file.
@@ -45,4 +45,4 @@ std::string datasheet_html(const MotorFile& file, const DatasheetOptions& option
           harmless(provenance(file, options.source)) + "</footer>\n</main>\n</body>\n");
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A picture of 800 pixels has cells of eight: fine enough for a shape, and the counts of ten columns are 2 MB.
@@ -58,4 +58,4 @@ Json densities_json(const ResultStore& store) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 
 #include <twum/base/version.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 bool has_designer() noexcept { return !assets::core_module().empty(); }
 
 std::string designer_html(const MotorFile& motor) {
@@ -29,4 +29,4 @@ std::string designer_html(const MotorFile& motor) {
   return filled(page, "/*DATA*/", embedded(data));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
@@ -57,4 +57,4 @@ std::string base64(std::span<const float> values) { return encoded(std::as_bytes
 std::string base64(std::span<const std::uint16_t> values) { return encoded(std::as_bytes(values)); }
 std::string base64(std::span<const std::uint32_t> values) { return encoded(std::as_bytes(values)); }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 
 /// Bytes, and columns of numbers, as base64 of their little-endian bytes, which a browser converts to typed arrays
 /// without parsing digits; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::string base64(std::string_view bytes);
 std::string base64(std::span<const double> values);
@@ -20,4 +20,4 @@ std::string base64(std::span<const std::uint32_t> values);
 /// without < and \.
 std::string base85(std::string_view bytes);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // What a metric at a point measures: {"metric"}.
@@ -75,4 +75,4 @@ Json failures_json(const Json& summary) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <twum/base/error.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::string embedded(const Json& json) {
   std::string text;
@@ -33,4 +33,4 @@ std::string filled(std::string_view page, std::string_view mark, std::string_vie
          std::string(page.substr(at + mark.size()));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

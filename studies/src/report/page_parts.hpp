@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// Assembly of a page; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// JSON that may stand inside an HTML script element, whatever the names in it are.
 std::string embedded(const Json& json);
@@ -24,4 +24,4 @@ std::string dressed(std::string_view page, const HashedText& style, const Hashed
 /// A page with its mark replaced. The inserted text is not searched for marks.
 std::string filled(std::string_view page, std::string_view mark, std::string_view content);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

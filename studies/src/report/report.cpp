@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Enough points for a smooth curve of some 700 pixels.
@@ -92,4 +92,4 @@ std::string write_report(const std::string& directory, const std::stop_token& st
   return folder.file(ResultFolder::kReport);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

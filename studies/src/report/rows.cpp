@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Limit of rows in a page. The page says that it shows a sample; results.csv has all rows.
@@ -166,4 +166,4 @@ Json row_curves_json(const ResultStore& store, const MotorDesign& base) {
           {"shape", base64(shapes)}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

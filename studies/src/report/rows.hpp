@@ -7,7 +7,7 @@
 #include <twum/io/result_store.hpp>
 
 /// Stored evaluations for the page; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// At most 100,000 rows: where there are more, one of each "every" of the "total", which one by
 /// "offsets": {"count", "every", "offsets": base64 of the place of each row among its "every",
@@ -25,4 +25,4 @@ Json densities_json(const ResultStore& store);
 /// "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.
 Json row_curves_json(const ResultStore& store, const MotorDesign& base);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

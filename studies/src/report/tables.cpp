@@ -20,7 +20,7 @@
 #include <iterator>
 #include <set>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Units that a page shows besides those of its tables.
@@ -247,4 +247,4 @@ Json stated_motor_json(const std::string& name, const MotorDesign& design) {
       {"besides", kept_json(name, design)}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

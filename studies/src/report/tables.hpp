@@ -9,7 +9,7 @@
 #include <string_view>
 
 /// Tables of parameters, metrics, units and materials for pages; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// {name: {"symbol", "unit", "text", "integer", "absolute", "entry": in the motor file, "min", "max" [SI],
 /// "required": in a motor file, "alternative": the parameter that may be given instead, or null}}. What is of heat and wear, which a
@@ -45,4 +45,4 @@ Json materials_json();
 /// without reading it}
 Json stated_motor_json(const std::string& name, const MotorDesign& design);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

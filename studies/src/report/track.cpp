@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Cells of some five pixels, and a frame every 5 % of the speed: 300 kB in the page.
@@ -101,4 +101,4 @@ Json one_slice_torque_json(const Motor& motor, std::span<const double> speeds) {
   return base64(torques);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

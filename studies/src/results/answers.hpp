@@ -9,7 +9,7 @@
 #include <string>
 
 /// Parts of summary.json for each kind of answer; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 using Json = nlohmann::ordered_json;
 
@@ -36,4 +36,4 @@ Json answer_json(const ParetoResult& result);
 Json answer_json(const UncertaintyResult& result);
 Json answer_json(const CalibrateResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

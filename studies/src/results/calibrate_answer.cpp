@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Bound = CalibrateResult::Bound;
@@ -269,4 +269,4 @@ Json answer_json(const CalibrateResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

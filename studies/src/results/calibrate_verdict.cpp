@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 namespace {
 
@@ -149,4 +149,4 @@ OutcomeWord CalibrateResult::verdict() const {
   return determined() ? StudyOutcome::fitted : StudyOutcome::undetermined;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Bound = CalibrateResult::Bound;
@@ -374,4 +374,4 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
   return notes;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

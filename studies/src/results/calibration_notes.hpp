@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Chance below which a misfit is more than scatter.
 inline constexpr double kUnlikely = 0.05;
@@ -28,4 +28,4 @@ std::string estimate_remark(const CalibrateResult& result,
 /// terminal, in summary.json and on the page.
 std::vector<std::string> calibration_notes(const CalibrateResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 struct Words {
@@ -99,4 +99,4 @@ const char* to_string(CalibrateResult::Bound value) noexcept {
   return "unknown";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

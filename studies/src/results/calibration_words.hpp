@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A parameter that rises or falls, in words: "a stiffer layer", "less friction"; "more NAME" where there are none.
 std::string rising_words(const std::string& parameter, bool rises);
@@ -25,4 +25,4 @@ std::string column_name(const CalibrateResult::ColumnOffset& offset);
 /// "the 13 readings fit best if each is 5 rpm too large"
 std::string offset_words(const CalibrateResult::ColumnOffset& offset);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

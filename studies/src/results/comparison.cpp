@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 namespace fs = std::filesystem;
@@ -200,4 +200,4 @@ Comparison compare_results(std::span<const std::string> directories) {
   return comparison;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <twum/studies/estimate.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// {value, low, high}
 inline Json estimate_json(const Estimate& estimate) {
@@ -19,4 +19,4 @@ inline Json interval_json(const Estimate& estimate) {
   return {{"low", number_json(estimate.low)}, {"high", number_json(estimate.high)}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

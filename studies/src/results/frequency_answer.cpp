@@ -3,7 +3,7 @@
 
 #include <twum/motors/frequency_points.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Member = FrequencyResult::Member;
@@ -70,4 +70,4 @@ Json answer_json(const FrequencyResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

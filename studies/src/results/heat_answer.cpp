@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 Json load_json(const std::optional<LoadPoint>& load) {
   if (!load) return nullptr;
@@ -144,4 +144,4 @@ Json answer_json(const HeatResult& result) {
   return {{"heat", heat}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 std::string ended_by(const LifeResult::Member& member) {
@@ -108,4 +108,4 @@ Json answer_json(const LifeResult& result) {
   return {{"life", life}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

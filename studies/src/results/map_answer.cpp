@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 void add_values(Json& json, const MapResult& result, const std::vector<double>& values) {
@@ -74,4 +74,4 @@ Json answer_json(const MapResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -2,7 +2,7 @@
 #include "results/answers.hpp"
 #include "results/motion_notes.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json event_json(const motion::MotionEvent& event) {
@@ -99,4 +99,4 @@ Json answer_json(const MotionResult& result) {
   return {{"motion", motion}};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::vector<MotionNote> motion_notes(const motion::Motion& motion) {
   using motion::MotionEventKind;
@@ -28,4 +28,4 @@ std::vector<MotionNote> motion_notes(const motion::Motion& motion) {
   return notes;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

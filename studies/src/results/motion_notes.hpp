@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// What a motion leaves out and has grown in it.
 struct MotionNote {
@@ -17,4 +17,4 @@ struct MotionNote {
 /// A note for each kind of event of what the averaged engine leaves out (add_what_is_left_out()).
 std::vector<MotionNote> motion_notes(const motion::Motion& motion);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/moves_json.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 Json moves_json(const std::vector<NamedValue>& answer, const std::vector<Move>& moves) {
   Json json = Json::object();
@@ -15,4 +15,4 @@ Json moves_json(const std::vector<NamedValue>& answer, const std::vector<Move>& 
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

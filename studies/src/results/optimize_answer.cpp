@@ -3,7 +3,7 @@
 #include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json stages_json(const OptimizeResult& result) {
@@ -54,4 +54,4 @@ Json answer_json(const OptimizeResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

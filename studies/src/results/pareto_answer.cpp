@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json yields_json(const std::vector<RobustYield>& yields) {
@@ -45,4 +45,4 @@ Json answer_json(const ParetoResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <array>
 #include <ctime>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 std::string compiler_text() {
@@ -38,4 +38,4 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

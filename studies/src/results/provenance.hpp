@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// What this program was built from: {"compiler": ..., "libraries": {name: version}}.
 Json build_json();
@@ -14,4 +14,4 @@ Json build_json();
 /// "2026-01-31T12:00:00Z"
 std::string utc_text(std::chrono::system_clock::time_point time);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <twum/motors/statistic.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json robust_limit_json(const RobustLimit& limit) {
@@ -112,4 +112,4 @@ Json robust_json(const RobustReport& report) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <twum/studies/robust_result.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Whether a goal is a share of the motors.
 bool is_share(const Goal& goal);
@@ -14,4 +14,4 @@ Json robust_yield_json(const RobustYield& yield);
 /// {target, yield, nominal, price, limits, tolerances, rounds, correction, largest_yield, densities ...}
 Json robust_json(const RobustReport& report);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

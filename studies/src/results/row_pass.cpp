@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16U;  // bytes written at a time
@@ -79,4 +79,4 @@ FailureCount write_rows(const ResultStore& store, const std::vector<StoredColumn
   return failures;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Counts failed or incomplete rows by reason, with the ranges of their variables.
 class FailureCount {
@@ -35,4 +35,4 @@ class FailureCount {
 FailureCount write_rows(const ResultStore& store, const std::vector<StoredColumn>& columns,
                         std::size_t variables, const std::function<void(std::string_view)>& put);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // For several goals, the improvement of each per unit of relaxation while the others stay.
@@ -194,4 +194,4 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name) 
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Common parts of the answers of optimize, size and pareto; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 Json values_json(const std::vector<NamedValue>& values);
 /// Units of everything that values_json() was given.
@@ -34,4 +34,4 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name);
 /// The value of a goal at a design; NaN if it has none.
 double goal_value(const DesignReport& report, const Goal& goal);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

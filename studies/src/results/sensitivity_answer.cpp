@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json effect_json(const SobolShares& shares) {
@@ -87,4 +87,4 @@ Json answer_json(const SensitivityResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

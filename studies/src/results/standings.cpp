@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr double kNoGain = std::numeric_limits<double>::quiet_NaN();
@@ -125,4 +125,4 @@ Json standings_json(const DesignReport& report, const std::vector<Goal>& goals) 
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

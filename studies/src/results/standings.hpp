@@ -6,7 +6,7 @@
 #include <vector>
 
 /// State of each limit at a design; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Every limit of a design, and every end of a range that it meets: first the binding ones, the most valuable first,
 /// then the others, those with the least slack first. SI: {"text" of a limit or "variable" of an end of a range,
@@ -18,4 +18,4 @@ namespace twum::studies {
 ///  "changes": of each goal by the step, first order; null where it does not trade}
 Json standings_json(const DesignReport& report, const std::vector<Goal>& goals);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <twum/io/result_store.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,4 +36,4 @@ Json stored_summary(const std::string& path) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The content of a summary.json.
 /// @throws StoreError if it cannot be read or is no JSON object
@@ -25,4 +25,4 @@ auto from_summary(const std::string& path, Use use) {
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

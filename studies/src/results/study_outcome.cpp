@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // In the order of StudyOutcome.
@@ -39,4 +39,4 @@ OutcomeWord::OutcomeWord(std::string_view word) {
   outcome_ = static_cast<StudyOutcome>(found - std::begin(kOutcomeWords));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A number, or the name of the set with this number.
@@ -58,4 +58,4 @@ std::string summary_json(const StudyResult& result) {
   return summary_value(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

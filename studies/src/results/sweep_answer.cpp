@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/answers.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json design_json(const SweepResult& result, const SweepResult::Design& design) {
@@ -35,4 +35,4 @@ Json answer_json(const SweepResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 Json metric_json(const UncertaintyResult::Metric& metric, std::uint64_t samples) {
@@ -109,4 +109,4 @@ Json answer_json(const UncertaintyResult& result) {
   return json;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

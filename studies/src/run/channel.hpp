@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Messages between the processes that a launcher has started together. Each pair of processes has lanes, numbered from 0;
 /// the messages of a lane arrive in the order of sending. Safe from any number of threads, one for each end of a lane.
@@ -33,4 +33,4 @@ class Channel {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Environment variables by which launchers tell processes their count and number.
@@ -39,4 +39,4 @@ unsigned launched_processes() { return told(&LauncherWords::count, 1); }
 
 unsigned launched_number() { return told(&LauncherWords::number, 0); }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Blocking in MPI uses a whole processor for each thread. So threads poll instead: at first continuously, since most
@@ -104,4 +104,4 @@ std::string Channel::receive(unsigned from, int lane) {
   return message;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

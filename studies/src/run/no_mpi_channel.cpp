@@ -4,7 +4,7 @@
 #include <twum/base/error.hpp>
 #include <twum/studies/processes.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 struct Channel::State {};
 
@@ -22,4 +22,4 @@ unsigned Channel::on_node() const noexcept { return 1; }
 void Channel::send(unsigned /*to*/, int /*lane*/, const std::string& /*message*/) {}
 std::string Channel::receive(unsigned /*from*/, int /*lane*/) { return {}; }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

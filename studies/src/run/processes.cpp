@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr int kGreeting = 0;  // the lane of greetings; those of threads follow
@@ -171,4 +171,4 @@ std::unique_ptr<Executor> Processes::executor(const StudyKindRun& kind, const st
   return std::make_unique<SharedExecutor>(kind, own_jobs(jobs), *channel_, std::move(lanes));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include "kinds/rows/row_bytes.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::string row_message(std::span<const StoredRow> rows) {
   std::string bytes;
@@ -31,4 +31,4 @@ std::vector<StoredRow> rows_of(const std::string& message) {
   return rows;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -24,7 +24,7 @@
 #include <filesystem>
 #include <mutex>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -334,4 +334,4 @@ std::string report_html(const StudyFile& study, const StudyResult& result) {
   return report_html(study, text, result, rows_of(result));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <span>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // First byte of an answer: rows follow, or the text of an error.
@@ -90,4 +90,4 @@ std::string answer_of(const std::string& message, ThreadExecutor& executor) {
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Computes on the threads of this process and on those of others.
 class SharedExecutor final : public Executor {
@@ -49,4 +49,4 @@ class SharedExecutor final : public Executor {
 /// there.
 std::string answer_of(const std::string& message, ThreadExecutor& executor);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

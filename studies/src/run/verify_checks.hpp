@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 /// The checks of verify_study(); each adds its findings. Internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Relative deviation up to which numbers count as equal. This program repeats its results bit for bit; another
 /// compiler may round differently.
@@ -57,4 +57,4 @@ FailureCount verify_table(const StudyKindRun& kind, const ResultStore& store,
 void verify_motor_files(const StudyFile& file, const StudyResult& result,
                         const std::string& directory, Verification& found);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -81,4 +81,4 @@ void verify_motor_files(const StudyFile& file, const StudyResult& result,
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::size_t kMostComplaints = 20;
@@ -70,4 +70,4 @@ void verify_rows(const StudyKindRun& kind, const ResultStore& store, const Verif
   });
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 #include "stored/result_of.hpp"
 #include "stored/stored_study.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 Verification verify_study(const std::string& directory, const VerifyOptions& options) {
   StoredStudy stored(directory, options.stop);
@@ -39,4 +39,4 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
   return found;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

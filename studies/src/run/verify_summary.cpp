@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 double number_of(const Json& json) {
@@ -224,4 +224,4 @@ void verify_record(const StudyResult& now, const Json& summary, Verification& fo
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

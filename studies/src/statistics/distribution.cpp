@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 namespace {
 
@@ -186,4 +186,4 @@ double Distribution::whole_quantile(double p) const {
   return 0;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kStream = 0x30881;  // apart from the other random numbers of a seed
@@ -58,4 +58,4 @@ std::vector<ElementaryEffect> ElementaryEffects::effects(double confidence) cons
   return result;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kLeastPoints = 64;  // of a replicate
@@ -185,4 +185,4 @@ double widest(std::span<const SobolShares> shares) {
   return width;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

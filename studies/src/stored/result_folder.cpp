@@ -21,7 +21,7 @@
 #include <memory>
 #include <sstream>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 namespace fs = std::filesystem;
@@ -245,4 +245,4 @@ void ResultFolder::write(std::string_view name, const std::string& content) {
   write(name, [&](const std::function<void(std::string_view)>& put) { put(content); });
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

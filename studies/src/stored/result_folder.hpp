@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The directory of a study's results, locked by one process at a time.
 class ResultFolder {
@@ -58,4 +58,4 @@ class ResultFolder {
   std::map<std::string, std::uintmax_t> written_;  // sizes, by path [bytes]
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer) {
@@ -41,4 +41,4 @@ bool has_line(const std::string& text, const std::string& line) {
   return ("\n" + text).find("\n" + line + "\n") != std::string::npos;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 
 #include <twum/io/result_store.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The result for an answer: counts, notes and failures of its rows, without name, hash and times.
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
@@ -29,4 +29,4 @@ inline constexpr const char* kSeconds = "seconds";
 inline constexpr const char* kComplete = "complete";
 }  // namespace facts
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -18,7 +18,7 @@
 #include <fstream>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ void read_result(
   use(stored.file(), result, stored.store());
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

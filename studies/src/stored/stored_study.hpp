@@ -13,7 +13,7 @@
 #include <stop_token>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A folder for temporary files, removed at the end.
 class ScratchFolder {
@@ -63,4 +63,4 @@ class StoredStudy {
   std::unique_ptr<StudyKindRun> kind_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 bool varies_amplitude(const StudyFile& file) {
@@ -62,4 +62,4 @@ std::string pace_note(const StudyFile& file) {
          " on one processor, or several times as long where other designs take longer";
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

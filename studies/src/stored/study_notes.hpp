@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Notes on a study as it was asked, by its kind and its motor.
 std::vector<std::string> notes_of(const StudyFile& file, const StudyKindRun& kind);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

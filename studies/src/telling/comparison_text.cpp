@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using namespace telling;
@@ -62,4 +62,4 @@ std::string comparison_markdown(const Comparison& comparison) {
   return markdown(comparison_table(comparison));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // A crossing of the level with a line of the grid between two neighbours: twice the number of the lower left one, plus
@@ -104,4 +104,4 @@ std::vector<double> round_levels(const std::vector<double>& values) {
   return levels;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

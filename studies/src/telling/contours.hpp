@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Lines of equal value on a grid; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// Values at the crossings of evenly spaced lines.
 struct ValueGrid {
@@ -34,4 +34,4 @@ std::vector<ContourLine> contour_lines(const ValueGrid& grid, double level);
 /// differ by more than rounding.
 std::vector<double> round_levels(const std::vector<double>& values);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

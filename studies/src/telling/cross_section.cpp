@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // A ring with a rectangular cut. Height 0 is the stator's surface [m].
@@ -63,4 +63,4 @@ Section cross_section(const MotorDesign& design) {
   return section;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Curves = std::span<const MotorCurve>;
@@ -394,4 +394,4 @@ std::vector<Section> motor_sections(const Sources& sources) {
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Charts of quantities over the speed; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// The columns of a curve, and the stator's loss of motors without modal data, too.
 std::vector<CurveColumn> told_columns(const MotorDesign& design);
@@ -47,4 +47,4 @@ std::vector<Section> curve_sections(const Sources& sources,
 /// The curves of the study's motor.
 std::vector<Section> motor_sections(const Sources& sources);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

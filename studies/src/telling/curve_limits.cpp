@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 bool is_broken(const Json& standing) {
@@ -89,4 +89,4 @@ std::vector<Bound> bounds_on(std::string_view column, const MotorCurve& curve,
   return bounds;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

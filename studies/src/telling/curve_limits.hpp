@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Limits of a design on the charts of its curve; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A limit or a duty of a design on a metric.
 struct CurveLimit {
@@ -24,4 +24,4 @@ std::vector<CurveLimit> curve_limits(const DesignReport& report, const std::vect
 std::vector<Bound> bounds_on(std::string_view column, const MotorCurve& curve,
                              const std::vector<CurveLimit>& limits);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string_view>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using CurveMember = CurveResult::Member;
@@ -86,4 +86,4 @@ std::vector<Section> sections_of(const CurveResult& answer, const Sources& sourc
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

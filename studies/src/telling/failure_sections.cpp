@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using BrokenLimit = UncertaintyResult::Limit;
@@ -179,4 +179,4 @@ std::vector<Section> cause_sections(const UncertaintyResult& answer) {
   return {section};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

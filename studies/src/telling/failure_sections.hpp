@@ -6,7 +6,7 @@
 #include <vector>
 
 /// What is said of motors that violate a limit; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A share of failing motors below which they are told in a million.
 inline constexpr double kFewViolate = 1e-3;
@@ -18,4 +18,4 @@ Section failure_table_section(const UncertaintyResult& answer);
 /// Which tolerance causes the failures; none if there are no failures or only one tolerance.
 std::vector<Section> cause_sections(const UncertaintyResult& answer);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

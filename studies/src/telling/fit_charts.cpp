@@ -13,7 +13,7 @@
 #include <map>
 #include <numeric>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Reading = CalibrateResult::Point;
@@ -322,4 +322,4 @@ std::vector<Section> residual_sections(const CalibrateResult& answer) {
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The charts of a calibration; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// What a quantity is called: "torque" of "torque_at".
 std::string quantity_words(const std::string& quantity);
@@ -21,4 +21,4 @@ std::vector<Section> profile_sections(const CalibrateResult& answer);
 /// The residuals of each kind of data with more than one number.
 std::vector<Section> residual_sections(const CalibrateResult& answer);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 const char* begin_words(StudyOutcome outcome) {
@@ -77,4 +77,4 @@ Headline headline_of(const CalibrateResult& answer, const StudyResult& result) {
   return told;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -14,7 +14,7 @@
 #include <iterator>
 #include <map>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Reading = CalibrateResult::Point;
@@ -300,4 +300,4 @@ std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& s
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using State = LifeResult::TrackState;
@@ -110,4 +110,4 @@ Section free_track_section(const LifeResult::FreeTrack& track) {
   return section;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

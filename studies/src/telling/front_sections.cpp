@@ -14,7 +14,7 @@
 #include <map>
 #include <set>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using FrontPoint = ParetoResult::Point;
@@ -365,4 +365,4 @@ std::vector<Section> sections_of(const ParetoResult& answer, const Sources& sour
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

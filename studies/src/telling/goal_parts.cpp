@@ -12,7 +12,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 Part goal_part(const Goal& goal, double value, int digits) {
   return is_share(goal) ? share_part(value, digits) : value_part(value, goal.unit, digits);
@@ -110,4 +110,4 @@ std::vector<double> column_values(const ResultStore& rows, const std::string& na
   return values;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Parts that the tellings of several kinds share; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// An amount of a goal or a change of it: a share of the motors in per cent, another one with its unit.
 Part goal_part(const Goal& goal, double value, int digits = 4);
@@ -44,4 +44,4 @@ std::string colour_of(std::size_t i);
 /// The values of a column of the stored rows in their order; empty if there is none of this name.
 std::vector<double> column_values(const ResultStore& rows, const std::string& name);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

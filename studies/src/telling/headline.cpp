@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 const char* outcome_words(StudyOutcome outcome) {
@@ -84,4 +84,4 @@ std::vector<Section> sections(const StudyResult& result, const Sources& sources)
                     result.answer);
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Motor = HeatResult::Member;
@@ -99,4 +99,4 @@ Headline headline_of(const HeatResult& answer, const StudyResult& /*result*/) {
           "without a temperature"};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

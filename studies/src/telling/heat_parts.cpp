@@ -3,7 +3,7 @@
 
 #include "telling/load_parts.hpp"
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 std::size_t parts_of(const HeatResult::Member& motor) {
   return motor.network.one_node ? 1 : kHeated.size();
@@ -43,4 +43,4 @@ Phrase heated_phrase(const HeatResult& answer, const HeatResult::Member& motor) 
   return family_phrase(answer.family, motor.value);
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -11,7 +11,7 @@
 #include <string>
 
 /// The parts of a motor in what is told of its temperatures; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A part of the motor and its name.
 struct HeatedPart {
@@ -44,4 +44,4 @@ bool has_cycle(const HeatResult::Member& motor);
 /// "voltage 80 V"; the motor alone has no name.
 Phrase heated_phrase(const HeatResult& answer, const HeatResult::Member& motor);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

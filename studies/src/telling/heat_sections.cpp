@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Motor = HeatResult::Member;
@@ -360,4 +360,4 @@ std::vector<Section> sections_of(const HeatResult& answer, const Sources& /*sour
   return sections;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

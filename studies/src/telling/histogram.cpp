@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // More than 60 bars cannot be distinguished, and fewer than 8 show little of the shape.
@@ -44,4 +44,4 @@ Bins counted_bins(const std::vector<double>& values, const Window& window) {
   return bins;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

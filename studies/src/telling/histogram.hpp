@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// The interval in which values have to lie [SI]; an infinite end is open.
 struct Window {
@@ -30,4 +30,4 @@ struct Bins {
 /// @param values  at least two that differ
 Bins counted_bins(const std::vector<double>& values, const Window& window);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

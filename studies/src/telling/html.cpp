@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 std::string element(const std::string& name, const std::string& content) {
@@ -132,4 +132,4 @@ std::string summary_html(const StudyResult& result, const Sources& sources) {
   return text;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

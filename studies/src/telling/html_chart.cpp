@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Height and left edge of the plane within the axes; room at its right, for a title above and for an axis below [pixels].
@@ -371,4 +371,4 @@ std::string html(const Chart& chart, double width) {
          "</div>\n</div>\n";
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -6,7 +6,7 @@
 #include <string>
 
 /// Parts of a presentation as HTML; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A text without markup.
 std::string harmless(const std::string& text);
@@ -15,4 +15,4 @@ std::string harmless(const std::string& text);
 /// @param width  [pixels]
 std::string html(const Chart& chart, double width);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Worn = LifeResult::Member;
@@ -284,4 +284,4 @@ std::vector<Section> sections_of(const LifeResult& answer, const Sources& /*sour
   return sections;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
@@ -361,4 +361,4 @@ std::vector<bool> rows_that_keep(const ResultStore& rows, const Json& standings)
   return keeps;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// What is said of limits and designs by searches and fronts; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// The value of a goal at a design; NaN if it has none.
 double goal_of(const DesignReport& report, const Goal& goal);
@@ -65,4 +65,4 @@ std::vector<Section> relaxation_sections(const Explanation& explanation);
 /// Which of the stored rows keep every limit whose metric is among their columns.
 std::vector<bool> rows_that_keep(const ResultStore& rows, const Json& standings);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -3,7 +3,7 @@
 
 #include <twum/motors/reasons.hpp>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 double in_celsius(double kelvin) {
   constexpr double kZero = 273.15;
@@ -54,4 +54,4 @@ Phrase family_phrase(const std::optional<StoredColumn>& family, double value) {
   return {name_part(family->name), " ", value_part(value, family->unit)};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

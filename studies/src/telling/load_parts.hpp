@@ -9,7 +9,7 @@
 #include <string>
 
 /// Parts that tell loads, lives, times and temperatures; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// An absolute temperature in degrees.
 Part celsius_part(double kelvin, int digits = 3);
@@ -37,4 +37,4 @@ std::string reason_of(const std::string& status);
 /// "voltage 80 V"; the motor alone has no name.
 Phrase family_phrase(const std::optional<StoredColumn>& family, double value);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

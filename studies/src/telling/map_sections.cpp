@@ -11,7 +11,7 @@
 #include <map>
 #include <span>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Member = MapResult::Member;
@@ -331,4 +331,4 @@ std::vector<Section> sections_of(const MapResult& answer, const Sources& /*sourc
   return sections;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

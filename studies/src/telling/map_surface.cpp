@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Cells of a picture: two or three of its points each.
@@ -65,4 +65,4 @@ ValueGrid MapSurface::fine(const MapResult& map) const {
   return grid;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

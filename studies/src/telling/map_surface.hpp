@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A column of a map between its points; internal. Within the envelope it is linear in the torque at each speed, and between
 /// two speeds along lines of the same share of the largest torque, so that it ends where the envelope does.
@@ -32,4 +32,4 @@ class MapSurface {
   std::vector<Column> columns_;  // speeds at which the drive holds a torque
 };
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

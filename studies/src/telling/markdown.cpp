@@ -2,7 +2,7 @@
 #include "telling/goal_parts.hpp"
 #include "telling/renderers.hpp"
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Letters that Markdown would take as markup.
@@ -67,4 +67,4 @@ std::string markdown(const std::vector<Section>& sections) {
   return text;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using MovedMotor = MotionResult::Member;
@@ -172,4 +172,4 @@ Headline headline_of(const MotionResult& answer, const StudyResult& /*result*/) 
           "without an answer"};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using MovedMotor = MotionResult::Member;
@@ -236,4 +236,4 @@ std::vector<Section> sections_of(const MotionResult& answer, const Sources& /*so
   return sections;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // The motors of an answer; of a front each has the place of its point.
@@ -92,4 +92,4 @@ std::vector<MotorCurve> motor_curves(const StudyResult& result, std::size_t poin
   return std::move(motors.curves);
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 constexpr double kMore = 0.01;  // relative change of what is held
@@ -139,4 +139,4 @@ std::vector<Section> moves_sections(
   return {section};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

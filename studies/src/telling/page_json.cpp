@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // A text, or a list of texts and {b: text}.
@@ -260,4 +260,4 @@ Json sections_json(const std::vector<Section>& sections) {
   return json;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

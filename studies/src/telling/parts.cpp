@@ -15,7 +15,7 @@
 #include <optional>
 #include <string_view>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 constexpr const char* kNoBreak = "\u00a0";
@@ -265,4 +265,4 @@ std::string written(const Phrase& phrase, Writing writing) {
   return text;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The renderers of a presentation; internal. Pictures have theirs in the program.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// Nothing in it can be written.
 bool is_picture(const Section& section);
@@ -49,4 +49,4 @@ std::string summary_markdown(const StudyResult& result, const Sources& sources);
 std::string summary_html(const StudyResult& result, const Sources& sources);
 /// @}
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using ResponseMember = FrequencyResult::Member;
@@ -192,4 +192,4 @@ std::vector<Section> sections_of(const FrequencyResult& answer, const Sources& /
   return {responses(answer), margins(answer), jumps(answer)};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 /// Of the gain of the most valuable tolerance; cheaper ones may be loosened.
@@ -327,4 +327,4 @@ std::vector<Section> robust_sections(const RobustReport& report, const Goal& goa
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Look = Headline::Look;
@@ -303,4 +303,4 @@ Headline headline_of(const FrequencyResult& answer, const StudyResult& /*result*
         strong(value_part(member.frequency - *member.pull_out_below, "Hz", 3)), "."}});
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -16,7 +16,7 @@
 #include <iterator>
 #include <map>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // "preload 234 N, amplitude 1.9 µm"
@@ -319,4 +319,4 @@ std::vector<Section> sections_of(const UncertaintyResult& answer, const Sources&
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 constexpr std::size_t kMostQuantities = 6, kMostMetrics = 3;
@@ -127,4 +127,4 @@ std::vector<Section> scatter_sections(const UncertaintyResult& answer, const Res
   return ScatterMatrix(answer, rows).sections();
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

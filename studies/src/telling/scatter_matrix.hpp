@@ -6,10 +6,10 @@
 #include <vector>
 
 /// Pairs of what was drawn and computed, motor by motor; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// A matrix of scatter plots: at most six quantities, the metrics and the variables that go with them most closely, of at most 200
 /// motors. None with fewer than two quantities that scatter.
 std::vector<Section> scatter_sections(const UncertaintyResult& answer, const ResultStore& rows);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

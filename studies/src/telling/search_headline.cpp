@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 using Look = Headline::Look;
@@ -245,4 +245,4 @@ Headline headline_of(const ParetoResult& answer, const StudyResult& result) {
           {}};
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

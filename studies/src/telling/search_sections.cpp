@@ -14,7 +14,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Where no design keeps all limits there is no optimum, so a limit has no price.
@@ -337,4 +337,4 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <numeric>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // A variable is negligible if the upper end of its total index, or of its share of the largest effect, is below this.
@@ -300,4 +300,4 @@ std::vector<Section> sections_of(const SensitivityResult& answer, const Sources&
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

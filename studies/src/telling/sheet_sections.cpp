@@ -14,7 +14,7 @@
 #include <cmath>
 #include <string>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Straight lines between so many points cannot be seen.
@@ -208,4 +208,4 @@ std::vector<Section> sheet_sections(const Motor& motor, const std::optional<doub
   return sections;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

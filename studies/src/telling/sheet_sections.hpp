@@ -7,7 +7,7 @@
 #include <vector>
 
 /// What a data sheet says of a motor; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// "Travelling wave ultrasonic motor with 9 wavelengths, driven by 120 V rms at 40.8 kHz"
 Phrase motor_phrase(const MotorDesign& design);
@@ -19,4 +19,4 @@ std::vector<Section> sheet_sections(const Motor& motor, const std::optional<doub
 /// One side of the motor, cut along its axis, to scale.
 Section cross_section(const MotorDesign& design);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

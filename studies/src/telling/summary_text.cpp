@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // More than these are in summary.json.
@@ -95,4 +95,4 @@ std::string summary_markdown(const StudyResult& result, const Sources& sources) 
 }
 
 }  // namespace telling
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

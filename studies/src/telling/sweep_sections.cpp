@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 // Fewer points than these stand apart from each other on a line.
@@ -202,4 +202,4 @@ std::vector<Section> sections_of(const SweepResult& answer, const Sources& sourc
   return list;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The parts of a presentation, by kind of answer; internal.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// Look and sentences of a headline, by kind of answer.
 /// @{
@@ -80,4 +80,4 @@ Phrase robust_sentence(const RobustReport& report);
 /// What tolerances do to a search.
 std::vector<Section> robust_sections(const RobustReport& report, const Goal& goal);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

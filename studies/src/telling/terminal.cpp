@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 namespace {
 
 std::vector<std::string> cells(const std::vector<Phrase>& row, std::size_t most) {
@@ -65,4 +65,4 @@ std::string terminal_text(const std::vector<Section>& sections) {
   return text;
 }
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling

@@ -3,6 +3,7 @@
 #include "metrics/motor_curve.hpp"
 #include "random_contact.hpp"
 #include "random_ring.hpp"
+#include "support/two_modes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -109,6 +110,43 @@ TEST_CASE("no wave that drives is missed by the curves (D2.8)", "[core][driven][
 TEST_CASE("a branch goes on beyond speeds without a periodic state (D2.8)",
           "[core][driven][brute_force]") {
   CHECK(no_wave_is_missed(motor_with_a_gap_of_speeds(), 30) > 10);
+}
+
+// The amplitude at which two modes come to rest from a large wave, if they do and drive the rotor; else 0.
+double integrated(const MotorDesign& design, double speed, double amplitude, double lag) {
+  TwoModes modes(design, speed);
+  modes.set_wave(amplitude, lag);
+  modes.run(400);
+  modes.run(50);
+  const double before = std::abs(modes.wave());
+  modes.run(50);
+  const double after = std::abs(modes.wave());
+  return std::fabs(after / before - 1) < 1e-3 && modes.torque() > 0 ? after : 0;
+}
+
+TEST_CASE("no wave on which two modes settle in time is missed by the curves (D2.1, D2.8)",
+          "[core][driven][brute_force]") {
+  Dice dice(645);
+  int settled = 0;
+  for (int i = 0; i < 20; ++i) {
+    MotorDesign design = random_ring(dice, 3 * i);  // elastic layers
+    const Drive drive(design);
+    design.stator.branch = Branch::dead;
+    const Drive dead(design);
+    const double largest = largest_amplitude(drive.waves());
+    const double fastest = drive.waves().crest_speed_per_amplitude() * largest;
+    for (const double part : {0.1, 0.3, 0.5, 0.8})
+      for (const double lag : {1.8, 2.8}) {
+        const double speed = part * fastest;
+        const double found = integrated(design, speed, 0.9 * largest, lag);
+        if (found == 0) continue;
+        CAPTURE(i, speed, found, lag);
+        // A step of the integration is 1e-3 of the amplitude, and what has not settled as much; ten times that.
+        CHECK(largest_followed(drive, dead, speed) >= 0.98 * found);
+        ++settled;
+      }
+  }
+  CHECK(settled > 40);
 }
 
 TEST_CASE("no wave that drives is missed by the curves of a thousand motors (D2.8)",

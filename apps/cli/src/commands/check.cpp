@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kCheckExamples = R"text(Examples:
@@ -94,4 +94,4 @@ void add_check(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_check(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -11,7 +11,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using studies::Comparison;
@@ -82,4 +82,4 @@ void add_compare(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_compare(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

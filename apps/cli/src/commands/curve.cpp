@@ -28,7 +28,7 @@
 #include <set>
 #include <span>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using studies::CurveColumn;
@@ -296,4 +296,4 @@ void add_curve(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -15,7 +15,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kDatasheetExamples = R"text(Examples:
@@ -94,4 +94,4 @@ void add_datasheet(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_datasheet(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

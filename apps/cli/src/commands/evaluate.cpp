@@ -24,7 +24,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kEvaluateExamples = R"text(Examples:
@@ -195,4 +195,4 @@ void add_evaluate(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_evaluate(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -17,7 +17,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kExploreExamples = R"text(Examples:
@@ -76,4 +76,4 @@ void add_explore(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_explore(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -23,7 +23,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using motion::ContactTable;
@@ -152,4 +152,4 @@ void add_export(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_export(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

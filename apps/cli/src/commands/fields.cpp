@@ -24,7 +24,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kFieldsExamples = R"text(Examples:
@@ -214,4 +214,4 @@ void add_fields(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_fields(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -24,7 +24,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using studies::engineering;
@@ -336,4 +336,4 @@ void add_frequency(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_frequency(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

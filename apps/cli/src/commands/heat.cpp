@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kHeatExamples = R"text(Examples:
@@ -56,4 +56,4 @@ void add_heat(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -16,7 +16,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kInitExamples = R"text(Examples:
@@ -105,4 +105,4 @@ void add_init(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_init(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kLifeExamples = R"text(Examples:
@@ -50,4 +50,4 @@ void add_life(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

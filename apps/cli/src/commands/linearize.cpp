@@ -24,7 +24,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using motion::LinearPlant;
@@ -336,4 +336,4 @@ void add_linearize(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_linearize(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

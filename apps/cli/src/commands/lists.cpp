@@ -15,7 +15,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kParametersText =
@@ -116,4 +116,4 @@ void add_parameters(CLI::App& app, Action& action) {
            parameters);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kMapExamples = R"text(Examples:
@@ -97,4 +97,4 @@ void add_map(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kMaterialsText =
@@ -119,4 +119,4 @@ void add_materials(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_materials(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

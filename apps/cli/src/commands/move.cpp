@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kMoveExamples = R"text(Examples:
@@ -86,4 +86,4 @@ void add_move(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

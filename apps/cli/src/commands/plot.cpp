@@ -15,7 +15,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kPlotExamples = R"text(Examples:
@@ -86,4 +86,4 @@ void add_plot(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_plot(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

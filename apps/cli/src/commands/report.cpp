@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kReportExamples = R"text(Examples:
@@ -61,4 +61,4 @@ void add_report(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_report(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kRunExamples = R"text(Examples:
@@ -169,4 +169,4 @@ void add_run(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_study(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

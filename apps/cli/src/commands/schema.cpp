@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kSchemaExamples = R"text(Examples:
@@ -68,4 +68,4 @@ void add_schema(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_schema(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -12,7 +12,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kText =
@@ -91,4 +91,4 @@ void add_solvers(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_solvers(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

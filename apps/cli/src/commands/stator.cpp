@@ -24,7 +24,7 @@
 #include <memory>
 #include <optional>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr std::size_t kListedModes = 6, kMostModes = 41;
@@ -294,4 +294,4 @@ void add_stator(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_stator(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

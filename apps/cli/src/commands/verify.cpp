@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using studies::counted;
@@ -88,4 +88,4 @@ void add_verify(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return run_verify(*options); }; });
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

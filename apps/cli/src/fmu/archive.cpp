@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // 1980-01-01 in the times of a zip archive.
@@ -65,4 +65,4 @@ std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& 
   return contents(source.get());
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string bytes_of(const std::string& path) {
@@ -35,4 +35,4 @@ Compiled compile_shared_library(const std::vector<SourceFile>& files) {
   return {bytes_of(library), ""};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Name and text of a source file.
 using SourceFile = std::pair<std::string, std::string>;
@@ -19,4 +19,4 @@ struct Compiled {
 /// Compiles sources of C with the machine's `cc`, in a folder of their own that is removed.
 Compiled compile_shared_library(const std::vector<SourceFile>& files);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

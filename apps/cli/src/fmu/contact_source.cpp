@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr std::array kTables{"torque", "reactive", "active"};
@@ -90,4 +90,4 @@ std::string contact_source(const PlantMotor& motor, const std::string& guid) {
          fmt::format("extern const char twum_guid[];\nconst char twum_guid[] = \"{}\";\n", guid);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // The platform of this machine as FMI 2.0 calls it; empty for those of which no binary was tried.
@@ -69,4 +69,4 @@ Fmu make_fmu(const PlantMotor& motor, const std::string& name) {
   return fmu;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A motor as a unit of FMI 2.0 for co-simulation.
 struct Fmu {
@@ -17,4 +17,4 @@ struct Fmu {
 /// @param name  of the motor, for people; its letters and digits name the model
 Fmu make_fmu(const PlantMotor& motor, const std::string& name);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string escaped(std::string_view text) {
@@ -142,4 +142,4 @@ std::string model_description(const PlantMotor& motor, const FmuIdentity& identi
   return text + "</fmiModelDescription>\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Names by which tools know an FMU.
 struct FmuIdentity {
@@ -17,4 +17,4 @@ struct FmuIdentity {
 /// modelDescription.xml of FMI 2.0 for co-simulation.
 std::string model_description(const PlantMotor& motor, const FmuIdentity& identity);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using motion::PlantTable;
@@ -76,4 +76,4 @@ PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor) {
   return {"", difference / largest, std::abs(state.angle - angle_at_off - stop) / std::abs(stop)};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

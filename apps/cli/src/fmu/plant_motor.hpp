@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A motor as plant.c takes it.
 class PlantMotor {
@@ -47,4 +47,4 @@ struct PlantCheck {
 /// Starts the motor from rest under its voltage, and stops it by switching it off, 20 ms each.
 PlantCheck check_plant(const MotorDesign& design, const PlantMotor& motor);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

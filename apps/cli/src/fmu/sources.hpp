@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Texts of the sources of C that every FMU carries.
 /// @{
@@ -10,4 +10,4 @@ const char* plant_source();  ///< plant.c
 const char* fmi_source();    ///< fmi2.c
 /// @}
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

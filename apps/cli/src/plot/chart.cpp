@@ -11,7 +11,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Points of the page.
@@ -236,4 +236,4 @@ std::string file_word(const std::string& text) {
   return word.substr(0, 60);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// How the rows of a series are drawn, and what their columns are.
 enum class Draw : unsigned char {
@@ -107,4 +107,4 @@ const char* colour_of(std::size_t i);
 /// The text with everything but letters, digits, dot and underscore as "-", for the name of a file.
 std::string file_word(const std::string& text);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Cells along either side of a density: some ten designs in each if they fill the picture, and at most as many as a page has.
@@ -88,4 +88,4 @@ std::vector<std::vector<double>> grid_cells(const std::vector<double>& x,
   return rows;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

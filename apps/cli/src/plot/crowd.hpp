@@ -5,7 +5,7 @@
 #include <vector>
 
 /// More designs than a picture can show one by one.
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// More points than these on a picture of some 600 by 200 pixels cannot be distinguished.
 inline constexpr std::size_t kMostPoints = 5000;
@@ -23,4 +23,4 @@ std::vector<std::vector<double>> grid_cells(const std::vector<double>& x,
                                             const std::vector<double>& y,
                                             const std::vector<double>& z);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 Picture curve_picture(const studies::MotorFile& file, double first, double last) {
   // Half a pixel of the PNG is 1 / 2400 of the width; the curve has few bends, and 600 points are smooth.
@@ -18,4 +18,4 @@ Picture curve_picture(const studies::MotorFile& file, double first, double last)
   return picture_of("curve", told_chart(motor_title(file), telling::curve_charts({&curve, 1})));
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,9 +5,9 @@
 
 #include <twum/motors/motor_file.hpp>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Torque, powers and efficiency against speed between `first` and `last` [rad/s].
 Picture curve_picture(const studies::MotorFile& file, double first, double last);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr int kRadii = 81, kPhases = 361;
@@ -87,4 +87,4 @@ std::string fields_map(const studies::MotorFile& file, double speed) {
          radius + panel(map, 4, "slip speed", map.slip, "m/s") + "unset multiplot\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -165,4 +165,4 @@ std::string fields_plot(const studies::MotorFile& file, double speed) {
          "unset multiplot\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

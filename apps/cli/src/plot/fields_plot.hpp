@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 inline constexpr PlotSize kFieldsPlotSize{720, 860};
 
@@ -20,4 +20,4 @@ std::string fields_plot(const studies::MotorFile& file, double speed);
 /// slices. The point has to have an answer.
 std::string fields_map(const studies::MotorFile& file, double speed);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -17,7 +17,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 std::string picture(const std::string& script) {
@@ -114,4 +114,4 @@ std::string plot_data(std::string_view name, const std::vector<std::vector<doubl
   return text + "END\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

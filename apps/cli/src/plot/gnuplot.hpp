@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A picture's size on the page [points]; a PNG has two pixels for each.
 struct PlotSize {
@@ -50,4 +50,4 @@ std::string plot_data(std::string_view name, const std::vector<std::vector<doubl
 /// A number for a script.
 std::string plot_number(double value);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // The ends of an axis around these values.
@@ -96,4 +96,4 @@ Scaled scaled(const Panel& panel, const Place& place) {
           static_cast<double>(place.bottom - place.top)};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

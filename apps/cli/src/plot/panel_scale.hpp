@@ -11,7 +11,7 @@
 #include <vector>
 
 /// How values become places and units of a panel; for chart.cpp and its texts.
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// What a series of one kind is to gnuplot.
 struct Form {
@@ -47,4 +47,4 @@ Scaled scaled(const Panel& panel, const Place& place);
 /// The texts of marks and guides as labels of gnuplot.
 std::string texts_of(const Scaled& scaled);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Size of the letters [points of the page].
@@ -144,4 +144,4 @@ std::string guides_text(const Scaled& s) {
 
 std::string texts_of(const Scaled& scaled) { return guides_text(scaled) + marks_text(scaled); }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using solid::SectionPart;
@@ -83,4 +83,4 @@ std::string section_panel(const stator::StatorGeometry& geometry, double contact
          "noratio\nset grid noxtics ytics\nset ytics nomirror out scale 0.5\nset border 3\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
@@ -110,4 +110,4 @@ std::string solid_plot(const studies::MotorFile& file, const SolidStator& solid)
          solid_shape_part(file.design) + bent_section_part(glue) + "unset multiplot\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

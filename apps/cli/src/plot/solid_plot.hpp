@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 inline constexpr PlotSize kSolidPlotSize{720, 640};
 
@@ -16,4 +16,4 @@ inline constexpr PlotSize kSolidPlotSize{720, 640};
 /// through a tooth at the crest of the wave.
 std::string solid_plot(const studies::MotorFile& file, const SolidStator& solid);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

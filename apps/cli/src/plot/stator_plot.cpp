@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr int kSteps = 301, kCells = 401;
@@ -134,4 +134,4 @@ std::string stator_plot(const studies::MotorFile& file) {
          spectrum_panel(file.design, *plate, below) + "unset multiplot\n";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 inline constexpr PlotSize kStatorPlotSize{720, 1140};
 
@@ -16,4 +16,4 @@ inline constexpr PlotSize kStatorPlotSize{720, 1140};
 /// of n - 2 to n + 2 over frequency with that of the drive marked.
 std::string stator_plot(const studies::MotorFile& file);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

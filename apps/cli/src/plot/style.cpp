@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Letters that fill the width of the page in the large font, with room to spare.
@@ -72,4 +72,4 @@ std::string in_unit(int column, const studies::DisplayUnit& unit) {
   return "($" + std::to_string(column) + "/" + plot_number(unit.divisor) + ")";
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

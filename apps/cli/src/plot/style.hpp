@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Colours that stay apart for every kind of colour vision (Okabe and Ito), and in grey by lightness.
 namespace colour {
@@ -50,4 +50,4 @@ std::string horizontal_label(const std::string& quantity, const studies::Display
 /// A column in the unit of its axis: "($2/1e-3)".
 std::string in_unit(int column, const studies::DisplayUnit& unit);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Room about the values, as the page has it.
@@ -203,4 +203,4 @@ std::string read(const telling::Phrase& phrase) {
   return telling::written(phrase, telling::Writing::read);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

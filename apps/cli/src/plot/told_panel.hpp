@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 namespace telling = studies::telling;
 
@@ -24,4 +24,4 @@ Chart told_chart(const std::string& title, const std::vector<telling::Chart>& ch
 /// A phrase as one reads it.
 std::string read(const telling::Phrase& phrase);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

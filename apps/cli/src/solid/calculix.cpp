@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -85,4 +85,4 @@ void run_calculix(const std::string& folder, const std::vector<std::string>& nam
   }
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

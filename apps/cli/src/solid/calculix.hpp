@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// Runs CalculiX on decks, as many at once as there are processors. Its results and what it prints (NAME.log) stand beside them.
 /// @param folder  of the decks
@@ -12,4 +12,4 @@ namespace twum::cli {
 /// @throws OutputError if CalculiX is missing, fails, or takes more than half an hour; studies::Interrupted after a stop request
 void run_calculix(const std::string& folder, const std::vector<std::string>& names);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

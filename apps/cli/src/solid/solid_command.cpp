@@ -21,7 +21,7 @@
 #include <memory>
 #include <system_error>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ int run_solid_stator(const SolidRequest& request) {
   return comparison.share && comparison.share->share ? kDone : kNoAnswer;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// What `twum stator --solid` is asked for.
 struct SolidRequest {
@@ -21,4 +21,4 @@ struct SolidRequest {
 /// Solves the stator as a solid and prints it beside the plate; returns the exit status.
 int run_solid_stator(const SolidRequest& request);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

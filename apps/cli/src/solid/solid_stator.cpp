@@ -14,7 +14,7 @@
 #include <fstream>
 #include <limits>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -134,4 +134,4 @@ StatorNumbers numbers_of_plate(const MotorDesign& design) {
           plate->mode_separation.v};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

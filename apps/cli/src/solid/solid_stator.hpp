@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// What a motor takes from its stator, by whatever model.
 struct StatorNumbers {
@@ -69,4 +69,4 @@ SolidStator solve_solid(const MotorDesign& design, int elements, const std::stri
 /// @throws as plate_model()
 StatorNumbers numbers_of_plate(const MotorDesign& design);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Modes that move the nodes more within the plane than along the axis.
@@ -167,4 +167,4 @@ std::string solid_json(const SolidComparison& c) {
   return json_text(json);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// The stator of a motor as a solid, beside the plate model.
 struct SolidComparison {
@@ -27,4 +27,4 @@ std::string solid_text(const SolidComparison& comparison);
 /// As JSON.
 std::string solid_json(const SolidComparison& comparison);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

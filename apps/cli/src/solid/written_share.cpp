@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 constexpr const char* kEntry = "stiffness_share";
@@ -55,4 +55,4 @@ std::string with_stiffness_share(const studies::Source& source, double share) {
   return text.insert(byte_of(text, first), std::string(kEntry) + ": " + value + end);
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

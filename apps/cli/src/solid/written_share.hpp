@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// The text of a motor file with another stiffness_share of the teeth, and nothing else changed.
 /// @param text  of a motor file that was read without errors and has teeth
 std::string with_stiffness_share(const studies::Source& text, double share);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

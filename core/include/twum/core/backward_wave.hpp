@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// The wave that runs against the driven one, to first order in its amplitude (theory of the driven stator, section
 /// 6). Unknown numbers are NaN. All are unknown in full contact with stick, with radial_motion, and where some of the layer sticks
@@ -18,4 +18,4 @@ struct BackwardWave {
   double squeal_rate;  ///< growth rate of the free backward wave (D6.7) [1/s]
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Why a design of a batch has no answer at all.
 struct DesignFailure {
@@ -100,4 +100,4 @@ std::vector<std::vector<MetricDerivative>> differentiate_designs(
     bool fixed_static_friction = false, unsigned jobs = 0,
     const std::function<bool()>& proceed = {});
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Torque of the contact and its force on a wave of a prescribed amplitude (D1.1), with exact derivatives in the parameters of a
 /// design. SI units.
@@ -48,4 +48,4 @@ class ContactDifferentiator {
   std::shared_ptr<const Parts> parts_;
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <twum/core/motor.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Torque of the contact and its force on the wave (D1.1), with exact derivatives in what is prescribed. SI units.
 struct ContactSlopes {
@@ -27,4 +27,4 @@ struct ContactSlopes {
 /// @throws InputError as Motor::operating_point(at)
 ContactSlopes contact_slopes(const Motor& motor, const OperatingConditions& at);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

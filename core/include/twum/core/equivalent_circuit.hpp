@@ -8,7 +8,7 @@
 #include <complex>
 #include <optional>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Circuit of a phase of the free stator: C_0 in parallel with R_m, L_m and C_m in series (D4.4). An impedance analyser gives
 /// the first four values, with the other phase shorted. Theta fixes the scale of the mechanical data.
@@ -58,4 +58,4 @@ double coupling_factor(const EquivalentCircuit& circuit);
 std::complex<double> admittance(const EquivalentCircuit& circuit, double loss_tangent,
                                 double frequency);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// What stays constant at the rotor while the drive frequency changes: its speed or its load torque.
 struct RotorLoad {
@@ -111,4 +111,4 @@ class FrequencyResponse {
 /// @param points  at least 2
 std::vector<double> spaced_frequencies(double from, double to, std::size_t points);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

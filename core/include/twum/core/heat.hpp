@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Losses of a motor by the place where they become heat [W].
 struct HeatLosses {
@@ -104,4 +104,4 @@ HeatCycle heat_cycle(const HeatNetwork& network, std::span<const HeatPhase> phas
 double duty_limit(const HeatNetwork& network, const HeatLosses& on, const HeatLosses& off,
                   double period, std::span<const std::optional<double>, kParts> limits);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -4,7 +4,7 @@
 #include <twum/core/motor_design.hpp>
 #include <twum/core/operating_point.hpp>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Whether a drive can hold a torque at a speed.
 enum class HeldStatus : unsigned char {
@@ -62,4 +62,4 @@ double largest_held_torque(const MotorDesign& design);
 /// @throws InputError if they lie outside the ranges of a motor
 MotorDesign with_held_wave(const MotorDesign& design, const HeldPoint& held);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// What ends the life of a motor.
 enum class EndOfLife : unsigned char {
@@ -70,4 +70,4 @@ std::vector<WearPoint> wear_course(const MotorDesign& design, const std::optiona
 /// The motor whose track has worn to a depth (V2.2). @throws InputError beyond the lining or the preload
 MotorDesign worn_motor(const MotorDesign& design, double depth);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// A speed, a torque, or a torque that the drive holds at a speed; as the members of MetricRequest.
 struct LoadPoint {
@@ -28,4 +28,4 @@ struct LoadPhase {
   bool operator==(const LoadPhase&) const = default;
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

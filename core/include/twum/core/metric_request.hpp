@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
 /// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed. With Argument::both the
@@ -29,4 +29,4 @@ struct MetricRequest {
   bool operator==(const MetricRequest&) const = default;
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

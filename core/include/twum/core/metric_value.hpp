@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Every metric of a motor; definitions in theory section 7.
 enum class Metric : unsigned char {
@@ -186,4 +186,4 @@ enum class Smoothness : unsigned char {
 /// "smooth", "flat", "one-sided" or "undefined"; static lifetime.
 const char* to_string(Smoothness smoothness) noexcept;
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

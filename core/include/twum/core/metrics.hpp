@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Rows of the metric table.
 inline constexpr std::size_t kMetricCount =
@@ -133,4 +133,4 @@ MetricDerivative differentiate_beyond_drive(const Motor& motor, const MetricRequ
                                             bool fixed_static_friction = false);
 /// @}
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

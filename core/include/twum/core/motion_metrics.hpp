@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Answers metrics of motions (MetricInfo::needs_motion) of one design, and lives of a track that wears freely. The library of
 /// motions, twum::motion, has them; this one knows their names only, so that a program which moves nothing does without an
@@ -32,4 +32,4 @@ bool provide_motion_metrics(MakeMotionMetrics make) noexcept;
 /// True if metrics of motions have values: without them their status is `undefined`.
 bool has_motion_metrics() noexcept;
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

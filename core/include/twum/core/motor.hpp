@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 namespace core {
 template <typename S>
@@ -134,4 +134,4 @@ class Motor {
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
                                                const std::vector<double>& speeds);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Shape of the wave across the contact track: w = A R(rho) cos(omega t - n phi), R = 1 at the contact radius.
 ///
@@ -348,4 +348,4 @@ double shear_viscosity(const MotorDesign& design);
 /// m, inertia of the layer: as given, or rho h^2 / 3 [Pa s^2]. Smooth; never throws.
 double inertia(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Normal contact of wave and rotor, theory section 3: on |theta| <= theta_L the pressure is
 ///
@@ -31,4 +31,4 @@ struct NormalContact {
 /// @return theta_L in [0, pi) [rad].
 double contact_half_angle(double load);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

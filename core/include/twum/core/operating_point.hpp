@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Whether an operating point has an answer.
 enum class PointStatus : unsigned char {
@@ -109,4 +109,4 @@ struct ContactFields {
   std::vector<FieldSample> samples;  ///< ordered by phase
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

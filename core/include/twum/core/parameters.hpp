@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Every parameter of a motor, in the order of the parameter table.
 enum class Parameter : unsigned char {
@@ -240,4 +240,4 @@ std::vector<std::string> complaints(const MotorDesign& design);
 /// @throws InputError with every complaint, as the constructor of Motor does
 void require_motor(const MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

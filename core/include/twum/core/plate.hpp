@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Modes of a design's stator from its geometry: frequency, modal mass, force factor and the other numbers that the
 /// drive needs, with their derivatives. shape_values are R at the four radii of (P8.1), then at the inner and the
@@ -29,4 +29,4 @@ stator::Derived plate_separation(const MotorDesign& design, stator::Derivatives 
 /// this design and its copies. Does nothing where it is known, without a geometry, and where no plate can be solved.
 void keep_plate(MotorDesign& design);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// The network of a design; of one node with the losses at its torque and the reference temperature (H1.10). None where the motor
 /// does not carry that torque.
@@ -93,4 +93,4 @@ struct LoadCycle {
 LoadCycle load_cycle(const MotorDesign& design, const std::vector<LoadPhase>& phases,
                      const std::vector<double>& times = {});
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

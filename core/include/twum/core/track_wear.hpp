@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// A node of a track of which each radius wears by itself: of Gauss' rule over the whole width. It stays with the material.
 struct TrackNode {
@@ -84,4 +84,4 @@ std::string free_profile_complaint(const MotorDesign& design);
 /// @throws InputError beyond the lining or the preload, without wear, and for fewer than two depths
 MotorDesign worn_motor(const MotorDesign& design, std::span<const double> depths);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 namespace core {
 class WorkBlocks;
@@ -38,4 +38,4 @@ class Workspace {
   std::unique_ptr<core::WorkBlocks> blocks_;
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Whether a track that wears by Archard's law at each radius stays even (V3.7).
 enum class WearStability : unsigned char {
@@ -48,4 +48,4 @@ struct WornIn {
 /// @throws InputError for an impossible motor
 WornIn worn_in(const MotorDesign& design, const LoadPoint& load);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// State of the contact over an interval of the wave; theory section 4.
 enum class ZoneState : signed char {
@@ -20,4 +20,4 @@ struct Zone {
   double to;        ///< phase at which it ends [rad], from < to
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

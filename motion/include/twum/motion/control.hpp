@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// What a loop changes at the drive.
 enum class Actuator : unsigned char { frequency, voltage };
@@ -121,4 +121,4 @@ ControlledMotion simulate(const MotorDesign& design, const MotionTask& task,
 /// @throws InputError as for a speed loop; oscillating: without rotor_mass
 Motion simulate(const MotorDesign& design, const MotionTask& task, const PositionControl& control);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A track of which each radius wears by itself, at one time.
 struct WornTrackPoint {
@@ -64,4 +64,4 @@ FreeLife free_life(const MotorDesign& design, const std::optional<LoadPoint>& lo
 /// Checks that free_life() can serve this motor, without computing the life. @throws InputError as free_life()
 void require_free_life(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -4,7 +4,7 @@
 #include <twum/core/motor_design.hpp>
 #include <twum/motion/motion.hpp>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Looks along the samples of an averaged motion for what it leaves out, and adds an event where that has grown 150-fold (G = 5 of
 /// G' = rate, G >= 0): `squeals` for a free backward wave (D6.7), `bounces` for hops of the rotor (M4.5). Where a rate is not known
@@ -17,4 +17,4 @@ namespace twum::motion {
 /// The task's go_on() ends it.
 void add_what_is_left_out(const MotorDesign& design, const MotionTask& task, Motion& motion);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A state, an input or an output of a linear plant.
 struct Signal {
@@ -53,4 +53,4 @@ LinearPlant linearize(const MotorDesign& design, double load_torque,
 /// @throws InputError as linearize(), and for a design without rotor_mass or with one of 0 kg
 double bounce_rate(const MotorDesign& design, double load_torque);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

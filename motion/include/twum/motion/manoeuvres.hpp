@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// Metrics of standard manoeuvres (M10.1) and of the plant near a steady state (M7.1, M4.5) for any study. A start of 30 ms takes
 /// some 5 ms with one slice, and all its derivatives 10 to 15 times as long.
@@ -24,4 +24,4 @@ std::unique_ptr<MotionMetrics> motion_metrics(const MotorDesign& design,
 /// True in a program that has them (provide_motion_metrics()): all that include this header, if there is an integrator.
 inline const bool kHasMotionMetrics = has_integrator() && provide_motion_metrics(&motion_metrics);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

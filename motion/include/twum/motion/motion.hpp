@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// How a motion is computed.
 enum class MotionEngine : unsigned char {
@@ -161,4 +161,4 @@ void require_motion(const MotorDesign& design, const MotionTask& task);
 ///         rotor_mass if the phase difference is not 90 degrees.
 Motion simulate(const MotorDesign& design, const MotionTask& task);
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

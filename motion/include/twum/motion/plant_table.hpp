@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// The contact while the rotor turns to one side: values at amplitude j and speed ratio i stand at [i * amplitudes + j].
 struct ContactTable {
@@ -63,4 +63,4 @@ struct PlantTableOptions {
 std::optional<PlantTable> tabulate(const MotorDesign& design,
                                    const PlantTableOptions& options = {});
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

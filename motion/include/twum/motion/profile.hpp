@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::motion {
+namespace twum::inline v0_1::motion {
 
 /// A number over time: linear between rows, constant before the first and behind the last. Two rows of one time are a step.
 class Profile {
@@ -29,4 +29,4 @@ class Profile {
   std::vector<Row> rows_;
 };
 
-}  // namespace twum::motion
+}  // namespace twum::inline v0_1::motion

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Why a design is not a regular local optimum.
 enum class Degeneracy : std::uint8_t {
@@ -96,4 +96,4 @@ struct Certificate {
   std::string reason;             ///< a sentence that says why it did not pass
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

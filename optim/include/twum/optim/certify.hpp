@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Certifies any design, however it was found. Cost: about one evaluation with gradient, and two for each variable if
 /// kinks or curvature have to be tested. The gradients must be exact; functions that are not smooth give the finding
@@ -17,4 +17,4 @@ namespace twum::optim {
 Certificate certify(const Problem& problem, std::span<const double> design,
                     const SolveOptions& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One entry of a Jacobian beside a difference quotient of the evaluator's values, in user units.
 struct DerivativeCheck {
@@ -31,4 +31,4 @@ struct DerivativeCheck {
 std::vector<DerivativeCheck> check_derivatives(const Problem& problem,
                                                std::span<const double> design);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Two inputs whose normal numbers are correlated.
 struct CorrelatedPair {
@@ -43,4 +43,4 @@ class Correlation {
   std::vector<double> factor_;  // L, column by column
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

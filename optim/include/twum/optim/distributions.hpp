@@ -8,7 +8,7 @@
 /// need not be whole, and lie between 1e-3 and 1e15; draws are at most 1e15.
 /// An argument outside its range, or NaN, gives NaN.
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The density of a standard normal number.
 double normal_density(double x);
@@ -56,4 +56,4 @@ struct ProbabilityRange {
 /// @param draws  > 0
 ProbabilityRange probability_range(std::uint64_t hits, std::uint64_t draws, double tail);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

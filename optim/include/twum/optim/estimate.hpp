@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// An estimate from samples with its confidence interval; NaN where there is none.
 struct IntervalEstimate {
@@ -12,4 +12,4 @@ struct IntervalEstimate {
   double high{std::numeric_limits<double>::quiet_NaN()};   ///< upper end
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

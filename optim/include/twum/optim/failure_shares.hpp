@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// How many products break a set of limits, and which inputs cause it: sums over 16 independent samples of the same size, plain or
 /// weighted products.
@@ -49,4 +49,4 @@ class FailureShares {
   std::uint64_t failing_{0};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

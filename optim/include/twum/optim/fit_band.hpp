@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A number that a fitted model predicts.
 struct Prediction {
@@ -35,4 +35,4 @@ std::optional<std::vector<double>> band_end(const std::vector<Variable>& paramet
                                             std::span<const double> estimates, double rise,
                                             IntervalEnd end, std::span<const double> near = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Derivatives of a fit's estimates with respect to numbers that the fit holds fixed (L5.1). They follow from the
 /// second derivatives of the sum of squares, which are central differences of its exact gradient. Parameters at a
@@ -21,4 +21,4 @@ namespace twum::optim {
 std::vector<double> answer_moves(const ResidualFunction& residuals, const LeastSquaresResult& fit,
                                  std::span<const double> held);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

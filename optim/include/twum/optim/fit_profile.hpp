@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Which end of an interval.
 enum class IntervalEnd : unsigned char { low, high };
@@ -44,4 +44,4 @@ ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFu
                        const LeastSquaresOptions& options, const LeastSquaresResult& fit,
                        std::size_t parameter, IntervalEnd end);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// What a fit says of residuals in groups, each with a standard deviation of its own.
 struct GroupDeviations {
@@ -48,4 +48,4 @@ std::vector<SmallSample> with_simulated_quantiles(const Residuals& at,
                                                   const LeastSquaresResult& fit, double confidence,
                                                   std::vector<SmallSample> known);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

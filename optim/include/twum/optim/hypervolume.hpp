@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Volume dominated by a set of points and bounded by a reference point; every objective is minimized. Points that do
 /// not dominate the reference, and duplicates, add nothing. Exact; the unit is the product of the objectives' units.
@@ -36,4 +36,4 @@ std::vector<std::size_t> best_subset(const std::vector<std::vector<double>>& fro
 std::vector<std::size_t> greedy_subset(const std::vector<std::vector<double>>& front,
                                        std::size_t count, const std::vector<double>& reference);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

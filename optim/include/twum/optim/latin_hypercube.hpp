@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A Latin hypercube (McKay, Beckman and Conover 1979): of `count` points in [0, 1)^dimension each of the `count`
 /// equal strata of every coordinate holds exactly one. Each point is computed independently, so a design of any size
@@ -31,4 +31,4 @@ class LatinHypercube {
   unsigned half_bits_;  // bits of each half of the Feistel permutation
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Residuals r_i(b) of a fit, already weighted, and their Jacobian.
 struct Residuals {
@@ -144,4 +144,4 @@ LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
                                  const ResidualFunction& residuals,
                                  const LeastSquaresOptions& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A library that results depend on.
 struct LibraryVersion {
@@ -15,4 +15,4 @@ struct LibraryVersion {
 /// The solver libraries in use, in a fixed order. Throws only if memory runs out.
 std::vector<LibraryVersion> library_versions();
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Sets of parameters that stay indistinguishable in a neighbourhood of the fit, not only at the fit itself. The Jacobian of a fit may lack rank at the least sum of
 /// squares alone, as that of p^2 does at 0. There the data determine every parameter, and profile_end() finds its
@@ -20,4 +20,4 @@ std::vector<std::vector<std::string>> lost_rank(const std::vector<Variable>& par
                                                 const LeastSquaresOptions& options,
                                                 const LeastSquaresResult& fit);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

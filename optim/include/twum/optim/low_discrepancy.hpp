@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The Sobol sequence (Joe and Kuo's directions, Gray code order) in [0, 1)^dimension, with no points skipped,
 /// shifted modulo 1 by a random vector that depends on the seed. Each point is computed independently, so a sequence
@@ -32,4 +32,4 @@ class SobolSequence {
 std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t count,
                                               std::uint64_t seed);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <twum/optim/correlation.hpp>
 #include <twum/optim/random_input.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Rows of values that were measured together, each with a weight. A product takes one whole row, so that the distributions and
 /// correlations of its values are those of the measurement.
@@ -64,4 +64,4 @@ RandomInput measured_input(const MeasuredRows& rows, std::size_t column, std::st
 /// @param first  position of the first column among the inputs
 std::vector<CorrelatedPair> measured_pairs(const MeasuredRows& rows, std::size_t first);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

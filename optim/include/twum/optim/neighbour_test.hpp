@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Whether neighbouring residuals of a fit are more alike than chance makes them (L4.1).
 struct NeighbourTest {
@@ -26,4 +26,4 @@ struct NeighbourTest {
 NeighbourTest neighbour_test(const Residuals& at, const LeastSquaresResult& fit,
                              const std::vector<std::vector<std::size_t>>& series);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Some residuals of a fit that may share an offset.
 struct OffsetRows {
@@ -33,4 +33,4 @@ struct OffsetTest {
 OffsetTest offset_test(const Residuals& at, const LeastSquaresResult& fit, const OffsetRows& asked,
                        double deviation);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Derivatives of an optimum with respect to numbers that its problem holds fixed.
 struct OptimumMoves {
@@ -32,4 +32,4 @@ struct OptimumMoves {
 OptimumMoves optimum_moves(const Problem& problem, std::span<const double> at, std::size_t held,
                            const Certificate& certificate);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

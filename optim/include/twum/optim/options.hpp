@@ -6,7 +6,7 @@
 #include <map>
 #include <stop_token>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Limits of a solve. A solve that reaches one ends with the best answer so far, without an error.
 struct Budget {
@@ -64,4 +64,4 @@ struct SolveOptions {
 ///         beside a named solver
 void validate(const SolveOptions& options);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A residual that chance does not explain.
 struct Outlier {
@@ -30,4 +30,4 @@ std::vector<Outlier> find_outliers(const Residuals& at, const LeastSquaresResult
                                    double deviation = std::numeric_limits<double>::quiet_NaN(),
                                    double level = 0.01);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

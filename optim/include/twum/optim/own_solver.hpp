@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Numbers of a scaled problem at one point.
 struct ScaledValues {
@@ -42,4 +42,4 @@ using OwnSolver = std::function<void(const ScaledProblem& problem)>;
 /// @throws InputError for a name that is empty, "auto" or taken, and without a function
 void add_solver(SolverInfo info, OwnSolver solver);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <twum/optim/result.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// One design of a Pareto front.
 struct FrontPoint {
@@ -81,4 +81,4 @@ struct Nsga2Options {
 /// @throws InputError as pareto_front(), except that integer variables are allowed here
 Front nsga2(const Problem& problem, const Nsga2Options& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

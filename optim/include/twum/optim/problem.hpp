@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// No limit.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -129,4 +129,4 @@ void validate(const Problem& problem);
 /// integer variable. For a problem that validate() accepts.
 std::vector<double> start_design(const Problem& problem);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Random numbers without hidden state: the k-th number of stream (seed, stage, index) is a function of these four
 /// integers alone (Philox 2x64 with ten rounds; Salmon et al. 2011). An object counts the numbers drawn, so each
@@ -29,4 +29,4 @@ class Random {
   std::uint64_t counter_{0};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

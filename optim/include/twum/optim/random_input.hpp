@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Distribution of an input about the design's value.
 enum class Law : std::uint8_t {
@@ -46,4 +46,4 @@ struct RandomInput {
   BuiltValue at(double design, double z) const;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The most likely of the products that break one end of a limit: the one nearest to the design in standard normal numbers.
 struct DesignPoint {
@@ -62,4 +62,4 @@ class WeightedProducts {
   std::vector<std::vector<double>> centres_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Sums over one of several independent samples of the same size.
 struct ReplicateSums {
@@ -23,4 +23,4 @@ IntervalEstimate ratio_of_replicates(std::span<const ReplicateSums> replicates, 
 IntervalEstimate difference_of_ratios(std::span<const ReplicateSums> more,
                                       std::span<const ReplicateSums> less, double confidence);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -4,7 +4,7 @@
 #include <twum/optim/certificate.hpp>
 #include <twum/optim/options.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Outcome of a search as twum has checked it. It does not depend on a solver's return code.
 enum class Outcome : std::uint8_t {
@@ -125,4 +125,4 @@ struct Result {
   std::uint64_t stages_used{0};  ///< the next solve may begin with stage first_stage + stages_used
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

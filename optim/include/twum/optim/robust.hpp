@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A mean over products, and its standard error.
 struct SampledMean {
@@ -147,4 +147,4 @@ Verification verify_design(const RobustProblem& problem, std::span<const double>
 /// FORM only, the first round of solve_robust(), without a sample or a verdict. For tests and fronts.
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

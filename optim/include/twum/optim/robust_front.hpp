@@ -3,7 +3,7 @@
 
 #include <twum/optim/robust.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A design of a front under tolerances.
 struct RobustFrontPoint {
@@ -37,4 +37,4 @@ struct RobustFront {
 RobustFront solve_robust_front(const RobustProblem& problem, std::size_t points,
                                const RobustOptions& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

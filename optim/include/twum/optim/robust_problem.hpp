@@ -6,7 +6,7 @@
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random_input.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Responses of one built product. `built` holds the design variables, then the inputs that are not variables, in
 /// their order. With `only`, the result has the row of that response only. For failures and purity see Evaluator.
@@ -79,4 +79,4 @@ struct RobustProblem {
 /// constraints are those of the design, followed by the limits. All goals must be nominal.
 Problem nominal_problem(const RobustProblem& problem);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

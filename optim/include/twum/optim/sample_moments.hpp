@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Mean and standard deviation of independent draws in one pass (Pebay 2008), accurate even if the mean is much
 /// larger than the spread. The order of the draws changes the result by rounding only.
@@ -36,4 +36,4 @@ class Moments {
   double fourth_{0};
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

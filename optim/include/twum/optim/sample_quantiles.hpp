@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The p-quantile, p in (0, 1), interpolated linearly between two order statistics (type 7 of Hyndman and Fan). The
 /// ends of the interval are order statistics, so it has at least its confidence for every distribution. An end is NaN
@@ -20,4 +20,4 @@ IntervalEstimate quantile_estimate(std::span<const double> sorted, double p, dou
 /// @param draws  0 gives NaN
 IntervalEstimate proportion_estimate(std::uint64_t hits, std::uint64_t draws, double confidence);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <twum/optim/solve.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// The design at a point of the unit cube in user units: each variable mapped by its scale, rounded for an integer
 /// variable. For a problem that validate() accepts.
@@ -20,4 +20,4 @@ std::vector<double> design_at(const Problem& problem, std::span<const double> un
 /// @throws what solve() throws
 Result look_further(const Problem& problem, const SolveOptions& options, Result found);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

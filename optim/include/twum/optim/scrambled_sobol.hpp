@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A randomized Sobol sequence (Joe and Kuo's directions) with random access: its digits are scrambled by random
 /// lower triangular matrices and a random digital shift (Matousek 1998). Each point by itself is uniformly
@@ -33,4 +33,4 @@ class ScrambledSobol {
   std::vector<std::uint64_t> shift_;
 };
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// What errors that follow each other in series make of the intervals of a fit (section 10 of the theory of calibration).
 struct SerialErrors {
@@ -24,4 +24,4 @@ struct SerialErrors {
 SerialErrors serial_errors(const Residuals& at, const LeastSquaresResult& fit,
                            const std::vector<std::vector<std::size_t>>& series, double confidence);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

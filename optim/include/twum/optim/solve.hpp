@@ -4,7 +4,7 @@
 #include <twum/optim/certify.hpp>
 #include <twum/optim/result.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// Solves a problem with one objective.
 ///
@@ -19,4 +19,4 @@ namespace twum::optim {
 ///         problem, an unknown option; and whatever else the evaluator throws.
 Result solve(const Problem& problem, const SolveOptions& options = {});
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <twum/optim/problem.hpp>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// What a solver does when a design cannot be evaluated.
 enum class FailurePolicy : std::uint8_t {
@@ -55,4 +55,4 @@ struct SolverOption {
 /// Every option of every solver; static lifetime.
 const std::vector<SolverOption>& solver_options();
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace twum::optim {
+namespace twum::inline v0_1::optim {
 
 /// A yield estimated from independent products, with the confidence interval of Clopper and Pearson, U5.2.
 struct YieldEstimate {
@@ -39,4 +39,4 @@ double risk_to_aim_at(double risk, std::uint64_t products);
 /// The same where weighted products decide, U5.6.
 double risk_to_aim_at_weighted(double risk);
 
-}  // namespace twum::optim
+}  // namespace twum::inline v0_1::optim

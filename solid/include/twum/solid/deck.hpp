@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// Text of the input file with which CalculiX finds the modes of a stator with n nodal diameters by cyclic symmetry.
 ///
@@ -16,4 +16,4 @@ namespace twum::solid {
 std::string deck_text(const Sector& sector, const stator::StatorGeometry& geometry,
                       int nodal_diameters, int modes);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

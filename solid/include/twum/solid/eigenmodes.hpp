@@ -8,7 +8,7 @@
 #include <iosfwd>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// A wave that travels round the stator: the motion of one sector. That of the next one is ahead by n pitches. The sum of mass
 /// times motion squared over the sector's nodes is 1 kg.
@@ -23,4 +23,4 @@ struct Eigenmode {
 /// @throws InputError if there are no modes, or they are not those of this sector
 std::vector<Eigenmode> read_eigenmodes(std::istream& dat, const Sector& sector);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// A part of a stator in its cross-section: a rectangle. Heights are above the bottom of the metal.
 struct SectionPart {
@@ -36,4 +36,4 @@ struct BentFace {
 std::vector<BentFace> bent_section(const Sector& sector, int nodal_diameters, double contact_radius,
                                    const Eigenmode& mode);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// What a brick is made of.
 enum class Part : unsigned char {
@@ -71,4 +71,4 @@ int most_nodal_diameters(const Sector& sector);
 /// Corners, then middles of edges, of a brick with 20 nodes, in half bricks from its first corner.
 const std::array<Place, 20>& brick_places();
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

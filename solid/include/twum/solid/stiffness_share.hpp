@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// The stiffness_share of the teeth with which the plate has a given frequency.
 struct FittedShare {
@@ -20,4 +20,4 @@ struct FittedShare {
 FittedShare fit_stiffness_share(const stator::StatorGeometry& geometry, int wavelengths,
                                 double contact_radius, double frequency);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::solid {
+namespace twum::inline v0_1::solid {
 
 /// A mode of the solid.
 struct SolidMode {
@@ -40,4 +40,4 @@ struct SolidWave {
 SolidWave solid_wave(const Sector& sector, const stator::StatorGeometry& geometry, int wavelengths,
                      double contact_radius, const std::vector<Eigenmode>& modes);
 
-}  // namespace twum::solid
+}  // namespace twum::inline v0_1::solid

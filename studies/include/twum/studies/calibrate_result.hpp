@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Answer of `calibrate`: parameters of a motor from measurements, by least squares. SI; residuals in the unit of what was
 /// measured, their root mean square in standard deviations where that is of several kinds.
@@ -258,4 +258,4 @@ struct CalibrateResult {
   OutcomeWord verdict() const;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

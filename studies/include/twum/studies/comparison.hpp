@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// One row of a comparison of results.
 struct ComparisonRow {
@@ -37,4 +37,4 @@ std::string comparison_text(const Comparison& comparison, std::size_t width);
 /// The same as Markdown.
 std::string comparison_markdown(const Comparison& comparison);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Torque-speed curves of one motor, or of a family over one parameter. The points are the rows of
 /// the store: stage is the member, index the point.
@@ -26,4 +26,4 @@ struct CurveResult {
   std::vector<Member> members;         ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

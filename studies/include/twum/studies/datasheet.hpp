@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Options of a data sheet.
 struct DatasheetOptions {
@@ -22,4 +22,4 @@ struct DatasheetOptions {
 /// @throws InputError for a design that is not admissible, or a rated speed at or below the negative wave speed
 std::string datasheet_html(const MotorFile& motor, const DatasheetOptions& options = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

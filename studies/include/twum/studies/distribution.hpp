@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A distribution of a quantity. Mean and standard deviation are those of the quantity itself (not of its logarithm), before it
 /// is truncated at limits.
@@ -64,4 +64,4 @@ class Distribution {
   bool limited_{false};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Morris' trajectories (1991) on four levels of [0, 1]: each changes one coordinate after another, in random order,
 /// by 2/3 up or down. A trajectory depends on the seed and its number only.
@@ -64,4 +64,4 @@ class ElementaryEffects {
   std::uint64_t dropped_{0};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

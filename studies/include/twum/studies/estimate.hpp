@@ -6,7 +6,7 @@
 #include <twum/optim/sample_quantiles.hpp>
 
 /// Estimates from samples, which searches under tolerances need too.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// As in results.
 using Estimate = optim::IntervalEstimate;
@@ -14,4 +14,4 @@ using optim::Moments;
 using optim::proportion_estimate;
 using optim::quantile_estimate;
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The smallest and the largest of some values; infinite the wrong way round while there are none.
 struct Extent {
@@ -20,4 +20,4 @@ struct Extent {
   }
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A measured quantity of the fitted motor, along what the bench varied.
 struct FitCurve {
@@ -41,4 +41,4 @@ double place_on(const CalibrateResult::Point& point, const NamedValue& over);
 /// own. Readings without anything that the bench varied have none.
 std::vector<FitCurve> fit_curves(const StudyFile& study, const CalibrateResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Frequency responses of one motor, or of a family over one parameter. The points of the sweeps are the rows of the store:
 /// stage is the sweep, index the frequency.
@@ -35,4 +35,4 @@ struct FrequencyResult {
   std::vector<Member> members;  ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

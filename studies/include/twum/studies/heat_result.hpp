@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Temperatures of one motor, or of a family over one parameter. The rows of the store are the warm-up under the load, or
 /// without a load a cycle of the operation: stage is the motor, index the time.
@@ -68,4 +68,4 @@ struct HeatResult {
   std::vector<Member> members;         ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The life of one motor, or of a family over one parameter. The rows of the store are its way to the end: stage is the motor, index
 /// the depth.
@@ -76,4 +76,4 @@ struct LifeResult {
   std::vector<Member> members;         ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

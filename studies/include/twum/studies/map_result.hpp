@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Maps over speed and torque of one motor, or of a family over one parameter. The points are the rows of the store: stage is
 /// the motor, index is speed times the number of torques plus torque.
@@ -53,4 +53,4 @@ struct MapResult {
   std::vector<Member> members;  ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

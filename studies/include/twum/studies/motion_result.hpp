@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Motions of one motor, or of a family over one parameter. The rows of the store are the samples: stage is the motor, index the
 /// time.
@@ -60,4 +60,4 @@ struct MotionResult {
   std::vector<Member> members;           ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

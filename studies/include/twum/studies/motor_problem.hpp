@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A motor parameter that may be changed, in its SI unit.
 struct DesignVariable {
@@ -176,4 +176,4 @@ void require_ordered_friction(const DesignProblem& problem);
 ///         choice_complaints().
 optim::Problem motor_problem(const DesignProblem& problem);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

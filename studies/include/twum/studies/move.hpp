@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// How an answer moves with a parameter that its study holds fixed (L5.1, L5.2).
 struct Move {
@@ -14,4 +14,4 @@ struct Move {
       slopes;  ///< derivatives by it of the numbers of the answer, SI; NaN: not determined
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Objective of a search.
 struct Goal {
@@ -161,4 +161,4 @@ struct OptimizeResult {
   std::optional<RobustReport> robust;  ///< under tolerances; `best` is then the robust optimum
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Answer of `pareto`: a front, in order of the first goal.
 struct ParetoResult {
@@ -42,4 +42,4 @@ struct ParetoResult {
   bool has_knee() const;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

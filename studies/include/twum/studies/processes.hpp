@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 class Channel;
 class Executor;
@@ -65,4 +65,4 @@ class Processes {
   bool met_{false};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

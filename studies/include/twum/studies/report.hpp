@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The page that shows a result: one self-contained HTML file that needs no network. Depends on the arguments only.
 /// Thread-safe.
@@ -33,4 +33,4 @@ std::string write_report(const std::string& directory, const std::stop_token& st
 /// @throws as write_report()
 std::string report_markdown(const std::string& directory, const std::stop_token& stop = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

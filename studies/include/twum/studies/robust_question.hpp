@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Parts that were measured: rows of values of parameters, one column for each. Every built motor has the values of one row.
 struct MeasuredParts {
@@ -51,4 +51,4 @@ DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<Moto
 /// @throws InputError if the question has no meaning, as motor_problem()
 optim::RobustProblem robust_problem(const RobustQuestion& question);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A wanted share of motors, and its estimate from a new random sample of motors.
 struct RobustYield {
@@ -97,4 +97,4 @@ struct RobustReport {
   std::vector<RobustDensity> densities;       ///< of each metric with a limit
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

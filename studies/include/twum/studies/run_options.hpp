@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 class Processes;
 
@@ -40,4 +40,4 @@ std::string pace_note(const StudyFile& file);
 /// @throws FileError or InputError for a wrong input, as validate()
 StudyResult run_study(const StudyFile& file, const RunOptions& options = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

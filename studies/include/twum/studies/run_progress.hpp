@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Progress of a study.
 struct RunProgress {
@@ -23,4 +23,4 @@ struct RunProgress {
   }
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

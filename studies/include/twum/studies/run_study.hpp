@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Runs a study and keeps everything in a directory: study.yaml (resolved), results.db, results.csv, summary.json,
 /// report.html, and motor files of the answer. If the directory holds the same study, interrupted, the run resumes;
@@ -16,4 +16,4 @@ namespace twum::studies {
 StudyResult run_study(const StudyFile& file, const std::string& directory,
                       const RunOptions& options = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Effect of a variable on a metric at one motor.
 struct LocalEffect {
@@ -56,4 +56,4 @@ struct SensitivityResult {
   std::vector<MetricSensitivity> metrics;  ///< in the order asked
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Answer to a design question.
 struct DesignAnswer {
@@ -69,4 +69,4 @@ DesignAnswer size(const DesignProblem& problem, const DutyPoint& duty,
 /// ceramic_stress hold at each of them, and goals are those of the worst of them.
 DesignProblem held_at(DesignProblem problem, std::span<const DutyPoint> duty);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Points at which a function is evaluated for its Sobol indices: blocks of d + 2 points in (0, 1)^d. Points 0 and 1
 /// of a block, A and B, are independent; point 2 + j is A with coordinate j from B. Consecutive blocks come from
@@ -117,4 +117,4 @@ class SobolIndices {
 /// The widest of the intervals of first and total indices; infinite if one is NaN.
 double widest(std::span<const SobolShares> shares);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

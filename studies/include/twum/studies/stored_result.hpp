@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <string>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Reads a finished study from its directory: the question, the answer derived again from the stored evaluations, and
 /// the evaluations. Changes nothing in the directory. Takes the time of the study without its evaluations:
@@ -22,4 +22,4 @@ void read_result(
     const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use,
     const std::stop_token& stop = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -22,12 +22,12 @@
 /// @file
 /// The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 template <typename T>
 struct Shape;
 }
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 class StudyKindRun;
 struct StudyFile;
@@ -483,4 +483,4 @@ std::string_view to_string(StudyKind kind);
 /// What a kind asks for, "optimization" of a motor; static lifetime.
 std::string_view title_of(StudyKind kind);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Shape of the mapping below `study:` for one kind.
 Schema study_schema(StudyKind kind);
@@ -66,4 +66,4 @@ std::string study_reference();
 std::string study_template(StudyKind kind, std::string_view motor = {},
                            std::optional<double> voltage = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// How a study ended.
 enum class StudyOutcome : unsigned char {
@@ -70,4 +70,4 @@ class OutcomeWord {
   StudyOutcome outcome_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The region of the variables in which evaluations failed for one reason.
 struct FailureRegion {
@@ -80,4 +80,4 @@ std::string summary_text(const StudyResult& result, std::span<const std::string>
 /// The same as Markdown, for a report: symbols and units as books print them.
 std::string summary_markdown(const StudyResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Result of a sweep: the distribution of each metric, and where it is smallest and largest.
 struct SweepResult {
@@ -38,4 +38,4 @@ struct SweepResult {
   std::vector<std::size_t> derived;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -17,7 +17,7 @@
 /// What is said about an answer, before anybody decides how it looks. Terminal, page, Markdown and pictures are
 /// renderers of this: what is said, what is marked and how many digits a number has is decided here and nowhere else.
 /// @cond  Parts of the program itself, its pages and pictures; no promise to other programs.
-namespace twum::studies::telling {
+namespace twum::inline v0_1::studies::telling {
 
 /// What a word means for the reader.
 enum class Tone : unsigned char { none, good, bad };
@@ -312,5 +312,5 @@ std::vector<Section> sections(const StudyResult& result, const Sources& sources 
 /// What a point is on its front, such as "largest peak power, knee"; empty for the others.
 Phrase role_phrase(const ParetoResult& answer, std::size_t point);
 
-}  // namespace twum::studies::telling
+}  // namespace twum::inline v0_1::studies::telling
 /// @endcond

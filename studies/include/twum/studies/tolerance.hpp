@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// How far a quantity scatters.
 struct Spread {
@@ -74,4 +74,4 @@ std::optional<ValueError> complaint(const Tolerance& tolerance, double value);
 /// The words of Tolerance::Shape, in its order; static lifetime.
 const char* to_string(Tolerance::Shape shape);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

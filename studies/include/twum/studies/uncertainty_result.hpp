@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Answer of an uncertainty study: the distribution of metrics over random motors within tolerances.
 struct UncertaintyResult {
@@ -75,4 +75,4 @@ struct UncertaintyResult {
   std::uint64_t sought{0};  ///< motors, about, that were drawn before to find these
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

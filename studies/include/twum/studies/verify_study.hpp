@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Options of verify_study().
 struct VerifyOptions {
@@ -41,4 +41,4 @@ struct Verification {
 /// StoreError if the results cannot be read; Interrupted after a stop request.
 Verification verify_study(const std::string& directory, const VerifyOptions& options = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kMostShown = 100;  // of the errors of one file
@@ -82,4 +82,4 @@ void Diagnostics::throw_if_any() const {
   throw FileError(source_, std::move(sorted));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

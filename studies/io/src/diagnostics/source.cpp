@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
@@ -49,4 +49,4 @@ Source read_source(const std::string& path) {
   return {path == "-" ? "standard input" : path, std::move(text)};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -154,4 +154,4 @@ FormulaDerivative Formula::differentiate(std::span<const double> names) const {
   return result;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

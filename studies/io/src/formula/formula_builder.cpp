@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -184,4 +184,4 @@ Formula FormulaBuilder::finish(const FormulaPart& part) && {
   return {std::move(steps_), part.text, part.dimension};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Precedence of the outermost operation of a text, which decides whether it needs parentheses.
 enum class Binding : unsigned char { sum, product, sign, power, quantity, atom };
@@ -48,4 +48,4 @@ class FormulaBuilder {
   std::vector<Formula::Step> steps_;
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

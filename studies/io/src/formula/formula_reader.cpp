@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 using Operation = Formula::Operation;
@@ -291,4 +291,4 @@ Formula read_formula(std::string_view text, const FormulaNames& names) {
   return Reader(text, names).read();
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 ErasedShape erased_list_shape(std::string text, ErasedShape item, std::size_t least,
                               std::size_t most, const ErasedList& list) {
@@ -176,4 +176,4 @@ ErasedField erased_section(std::string name, std::string text, std::vector<Erase
   return field;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -189,4 +189,4 @@ std::string json_schema(const Schema& schema, std::string_view title, std::strin
   return json.dump(2) + "\n";
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

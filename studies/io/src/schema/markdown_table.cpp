@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 std::string range_text(const Schema& schema) {
@@ -145,4 +145,4 @@ std::string markdown_table(const Schema& mapping) {
   return "| entry | value | default | text |\n| --- | --- | --- | --- |\n" + writer.take();
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

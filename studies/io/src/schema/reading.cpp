@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 // The entry with a name or an accepted alias equal to the key.
@@ -357,4 +357,4 @@ Shape<std::size_t> choice(std::string text, std::vector<std::string> words) {
   return shape;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

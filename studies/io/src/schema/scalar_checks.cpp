@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 std::string limit_text(double limit, const Schema& schema) {
@@ -136,4 +136,4 @@ std::string expectation(const Schema& schema) {
   return text + such_as(schema);
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Reads a quantity or count according to a schema, in SI.
 /// @throws ValueError saying what was found and what would be right.
@@ -27,4 +27,4 @@ bool by_parameter(const Schema& schema);
 /// "expected a length [m] such as '0.3 mm'" for any schema.
 std::string expectation(const Schema& schema);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kCommentColumn = 36;
@@ -75,4 +75,4 @@ std::string yaml_template(const Schema& schema, std::string_view heading) {
   return std::string(heading) + writer.take();
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

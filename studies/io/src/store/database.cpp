@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kRowsPerBatch = 20000;
@@ -327,4 +327,4 @@ void ResultStore::Database::set_fact(const std::string& name, const std::string&
   });
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Implementation of ResultStore: one connection, one open batch, and a thread that commits it within a time limit.
 /// Every member function takes the lock.
@@ -78,4 +78,4 @@ class ResultStore::Database {
   std::jthread committer_;  // declared last, so that it ends before the other members are destroyed
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -3,7 +3,7 @@
 
 #include <sqlite3.h>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 std::vector<std::pair<std::string, std::string>> file_library_versions() {
   return {{"SQLite", sqlite3_libversion()},
@@ -11,4 +11,4 @@ std::vector<std::pair<std::string, std::string>> file_library_versions() {
           {"yaml-cpp", TWUM_YAML_CPP_VERSION}};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -3,7 +3,7 @@
 
 #include "store/database.hpp"
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 ResultStore::ResultStore(const std::string& path, const std::vector<StoredColumn>& columns,
                          const std::stop_token& stop)
@@ -61,4 +61,4 @@ void ResultStore::set_fact(const std::string& name, const std::string& value) {
   database_->set_fact(name, value);
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

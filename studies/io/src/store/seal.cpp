@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::string_view kEnd("\0", 1);  // between two texts
@@ -122,4 +122,4 @@ Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn
   return stored;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

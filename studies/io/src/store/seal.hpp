@@ -14,7 +14,7 @@
 #include <vector>
 
 /// Checksum of a database's content, written with every batch; internal.
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// How many rows a database must hold, and the sum (modulo 2^64) of the checksums of its rows, facts and columns.
 /// SQLite itself detects neither an intact page in the place of another nor a missing row.
@@ -48,4 +48,4 @@ Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn
 /// @throws StoreError that says that a file is damaged, and what to do
 [[noreturn]] void fail_damaged(const std::string& path, const std::string& what);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

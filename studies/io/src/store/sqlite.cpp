@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace twum::io::sqlite {
+namespace twum::inline v0_1::io::sqlite {
 namespace {
 
 // The meaning of a result code with advice; `system` is errno, if any.
@@ -199,4 +199,4 @@ std::string quoted_name(std::string_view name) {
   return out + "\"";
 }
 
-}  // namespace twum::io::sqlite
+}  // namespace twum::inline v0_1::io::sqlite

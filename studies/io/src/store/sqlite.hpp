@@ -10,7 +10,7 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 /// A thin layer over SQLite that turns every failure into a StoreError; internal.
-namespace twum::io::sqlite {
+namespace twum::inline v0_1::io::sqlite {
 
 /// An open database. Not safe from several threads at a time.
 class Connection {
@@ -84,4 +84,4 @@ class Statement {
 /// A name in quotation marks, as SQL wants it.
 std::string quoted_name(std::string_view name);
 
-}  // namespace twum::io::sqlite
+}  // namespace twum::inline v0_1::io::sqlite

@@ -6,7 +6,7 @@
 #include <twum/base/error.hpp>
 #include <twum/io/result_store.hpp>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 std::string written_content(const std::string& path) {
   try {
@@ -16,4 +16,4 @@ std::string written_content(const std::string& path) {
   }
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// The largest file of a results folder that is read as a whole [bytes].
 inline constexpr std::size_t kLargestResult = std::size_t{256} << 20U;
@@ -13,4 +13,4 @@ inline constexpr std::size_t kLargestResult = std::size_t{256} << 20U;
 /// @throws StoreError with the path and the reason
 std::string written_content(const std::string& path);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

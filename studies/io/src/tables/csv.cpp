@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 18U;  // bytes read at a time, and of a chunk
@@ -214,4 +214,4 @@ void append_cell(std::string& out, std::string_view text) {
   append_own_cell(out, is_formula(text) ? "'" + std::string(text) : std::string(text));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 // NAME, the unit between `open` and `close`, and nothing behind it.
@@ -41,4 +41,4 @@ std::string_view first_word(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A column's heading: "thickness [mm]" has the name "thickness" and the unit "mm". Views into the text.
 struct Heading {
@@ -24,4 +24,4 @@ bool names_unit(std::string_view text);
 /// The first word of a heading: letters, digits and underscores.
 std::string_view first_word(std::string_view text);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kMostPreamble = 200;  // lines above the headings
@@ -379,4 +379,4 @@ PlainStream plain_stream(const std::string& name, CsvReader::Bytes bytes,
   return {followed(std::move(table.text), {}), std::move(table.kind)};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kHead = 512;  // bytes that tell the kind of a file
@@ -113,4 +113,4 @@ std::string utf8_text(const std::string& name, std::string content,
   return content;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

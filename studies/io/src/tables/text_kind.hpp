@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// The content of a file as UTF-8 with line feeds. What it was besides is added to `kinds`: UTF-16, an encoding of one byte
 /// for each character, line ends of carriage returns alone.
@@ -14,4 +14,4 @@ namespace twum::io {
 std::string utf8_text(const std::string& name, std::string content,
                       std::vector<std::string>& kinds);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

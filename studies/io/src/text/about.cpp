@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 std::string about(double value) {
   constexpr double kWhole = 1e15;  // limit up to which all digits of a whole number are exact
@@ -12,4 +12,4 @@ std::string about(double value) {
                                          : std::to_string(std::llround(value));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// FNV-1a hash of some bytes, 64 bits. Detects accidents, not attacks.
 /// @param before  hash of the bytes before them
@@ -14,4 +14,4 @@ constexpr std::uint64_t checksum(std::string_view bytes,
   return before;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -13,7 +13,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr int kWriterWait =
@@ -95,4 +95,4 @@ std::string plain_file_content(const std::string& path, std::size_t most) {
   return file.content(most);
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

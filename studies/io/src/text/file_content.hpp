@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Content of a file, or of a pipe that another program writes to. "-" is standard input.
 /// @param most  bytes
@@ -15,4 +15,4 @@ std::string file_content(const std::string& path, std::size_t most);
 /// @throws InputError likewise
 std::string plain_file_content(const std::string& path, std::size_t most);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

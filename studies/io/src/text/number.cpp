@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 std::size_t skip_digits(std::string_view text, std::size_t at) {
@@ -181,4 +181,4 @@ std::string rounded_text(double value, int digits) {
   return {buffer.data(), end};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

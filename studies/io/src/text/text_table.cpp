@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kGap = 2;
@@ -151,4 +151,4 @@ std::string aligned(const TextTable& table, std::size_t width) {
 
 std::string aligned(const TextTable& table) { return aligned(table, 0); }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

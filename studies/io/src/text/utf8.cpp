@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text/utf8.hpp"
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
@@ -33,4 +33,4 @@ std::size_t byte_of(std::string_view text, int character) {
   return at;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

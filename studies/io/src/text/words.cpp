@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdlib>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kLongestWord = 48;  // longer words are not typing errors of known names
@@ -182,4 +182,4 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kRadian = 3;
@@ -95,4 +95,4 @@ std::string Dimension::unit() const {
   return (above.empty() ? "1" : above) + "/" + below;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

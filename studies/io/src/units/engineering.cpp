@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 struct EngineeringPrefix {
@@ -83,4 +83,4 @@ std::string printed_engineering(double value, std::string_view si_unit, int digi
   return with_unit(value, unit, printed_unit(unit.text), digits);
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 // The unit system that UDUNITS-2 is given. It differs from the one that UDUNITS ships in two points: the radian is a
 // base unit, and an energy is a torque times an angle (J = N m rad). So rad/s is not Hz, rpm is neither, and N.m is
@@ -134,4 +134,4 @@ inline constexpr NamedDimension kDimensions[] = {
     {"1/K", "change per kelvin"},
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
@@ -87,4 +87,4 @@ std::optional<PeakUnit> peak_unit(std::string_view unit) {
   return {};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

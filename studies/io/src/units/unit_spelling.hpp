@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A unit as people type it, in the spelling of the unit system: "N⋅m" is "N.m", "m⁻¹" is "m^-1", "r/min" is "rpm", and
 /// "Vrms" is "V", because voltages and currents are rms everywhere.
@@ -19,4 +19,4 @@ struct PeakUnit {
 /// Nothing for any other unit.
 std::optional<PeakUnit> peak_unit(std::string_view unit);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -16,7 +16,7 @@
 #include <memory>
 #include <mutex>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 struct FreeUnit {
@@ -219,4 +219,4 @@ BasePowers base_powers(std::string_view unit) {
   return powers;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Access to UDUNITS-2; internal. Every call is serialized, because its parser is not thread-safe.
 
@@ -23,4 +23,4 @@ bool is_unit(std::string_view unit);
 /// Why a text that looks like a unit is refused: "5 mm" as a unit, "W/m.K"; empty if it is well formed.
 std::string unit_form_complaint(std::string_view unit);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

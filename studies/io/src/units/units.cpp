@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 // Usual units, suggested for mistyped ones.
@@ -266,4 +266,4 @@ std::string dimension_phrase(std::string_view si_unit) {
   return (name.empty() ? std::string("a quantity") : article(name)) + bracketed;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

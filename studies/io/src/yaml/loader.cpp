@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 bool is_control(std::string_view text) {
@@ -46,4 +46,4 @@ YamlNode load_yaml(Diagnostics& diagnostics) {
   return nothing;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

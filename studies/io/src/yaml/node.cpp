@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/io/yaml_node.hpp>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 const YamlNode* YamlNode::find(std::string_view key) const {
   for (const YamlEntry& entry : entries) {
@@ -21,4 +21,4 @@ std::string_view kind_phrase(YamlNode::Kind kind) {
   return "unreadable";
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "yaml/syntax_words.hpp"
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr SyntaxWords kWords[] = {
@@ -33,4 +33,4 @@ const SyntaxWords* syntax_words(std::string_view parser_message) {
   return nullptr;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A message of the YAML parser reworded for users who write motor files.
 struct SyntaxWords {
@@ -15,4 +15,4 @@ struct SyntaxWords {
 /// Null for an unknown message.
 const SyntaxWords* syntax_words(std::string_view parser_message);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

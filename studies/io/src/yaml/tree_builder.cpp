@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 // Thrown through the parser to end reading; the reason is in the diagnostics already.
@@ -263,4 +263,4 @@ YamlNode build_tree(Diagnostics& diagnostics) {
   return nothing;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

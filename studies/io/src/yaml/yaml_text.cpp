@@ -5,7 +5,7 @@
 #include <array>
 #include <cctype>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 namespace {
 
 constexpr std::size_t kLineLength = 90;
@@ -98,4 +98,4 @@ std::string yaml_text(const YamlNode& mapping, std::size_t depth) {
   return out;
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

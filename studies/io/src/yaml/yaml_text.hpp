@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A text in quotation marks with escaped control characters; load_yaml() reads back the same text.
 std::string double_quoted(std::string_view text);
@@ -17,4 +17,4 @@ std::string inline_text(const YamlNode& node);
 /// The entries of a mapping as lines of YAML, which load_yaml() reads back as they are.
 std::string yaml_text(const YamlNode& mapping, std::size_t depth);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

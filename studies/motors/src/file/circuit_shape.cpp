@@ -4,7 +4,7 @@
 #include <twum/io/engineering.hpp>
 #include <twum/io/words.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr const char* kCircuit = "equivalent_circuit";
@@ -70,4 +70,4 @@ bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given&
   return good;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

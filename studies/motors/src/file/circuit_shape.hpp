@@ -4,7 +4,7 @@
 #include <twum/core/equivalent_circuit.hpp>
 #include <twum/io/shape.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Entries of `stator.equivalent_circuit`, all of them required.
 const Shape<EquivalentCircuit>& circuit_shape();
@@ -15,4 +15,4 @@ const Shape<EquivalentCircuit>& circuit_shape();
 bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given& stator,
                    Diagnostics& diagnostics);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr CurveColumn kContact[] = {
@@ -94,4 +94,4 @@ std::vector<double> curve_speeds(const Motor& motor, std::size_t points) {
   return speeds;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 std::string drive_of(const MotorDesign& design) {
@@ -84,4 +84,4 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
               "to start it takes " + start("more than "));
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,11 +6,11 @@
 
 #include <optional>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// The note that a motor under a voltage does not run or does not start by itself at rest, or has no dead wave
 /// although that was asked for, with a voltage and a frequency that would help. Nothing for other motors. Takes some
 /// milliseconds.
 std::optional<ModelNote> drive_note(const Motor& motor);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

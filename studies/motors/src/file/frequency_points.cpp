@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 using R = ResponsePoint;
@@ -47,4 +47,4 @@ std::string squeal_text(const ResponsePoint& wave) {
   return rate > 0 ? "by " + engineering(rate, "1/s") : "no";
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

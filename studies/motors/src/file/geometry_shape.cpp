@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // A block that may name a material, and the kind of material that goes there.
@@ -152,4 +152,4 @@ std::optional<stator::StatorGeometry> blank_geometry(const GivenMotor& given) {
   return geometry;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -5,7 +5,7 @@
 
 #include <twum/io/shape.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// `support`, which says what holds the inner edge of the plate.
 Field<GivenMotor> support_field();
@@ -33,4 +33,4 @@ bool check_geometry_alone(const Given& stator, Diagnostics& diagnostics);
 /// The geometry with the given blocks, still without numbers; nothing if no block is given.
 std::optional<stator::StatorGeometry> blank_geometry(const GivenMotor& given);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

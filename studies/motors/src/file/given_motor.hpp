@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A motor as its file gives it, in SI.
 struct GivenMotor {
@@ -38,4 +38,4 @@ struct GivenMotor {
   }
 };
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

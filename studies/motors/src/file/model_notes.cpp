@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 #ifndef __wasm__
@@ -367,4 +367,4 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   return notes;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 bool refuse_study(const YamlNode& root, Diagnostics& diagnostics) {
@@ -47,4 +47,4 @@ MotorFile read_motor(const Source& source) {
 
 MotorFile read_motor_file(const std::string& path) { return read_motor(read_source(path)); }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

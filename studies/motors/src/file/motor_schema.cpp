@@ -20,7 +20,7 @@
 #include <cctype>
 #include <filesystem>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 std::string_view first_step(std::string_view path) { return path.substr(0, path.find('.')); }
@@ -517,4 +517,4 @@ const Shape<MotorFile>& motor_file_shape() {
   return shape;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

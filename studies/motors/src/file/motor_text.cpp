@@ -3,7 +3,7 @@
 
 #include "yaml/yaml_text.hpp"
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 std::string in_line(const YamlNode& node) {
@@ -31,4 +31,4 @@ std::string motor_text(const MotorFile& motor) {
   return lines_of(file, "");
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr const char* kExample = "such as {torque: 0.5 N.m, time: 60 s} or {idle: 100 s}";
@@ -125,4 +125,4 @@ bool check_operation(const std::vector<LoadPhase>& phases, bool has_voltage, con
   return good;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

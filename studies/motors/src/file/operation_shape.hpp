@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Entries of `operation`: phases with a load, or idle ones.
 const Shape<std::vector<LoadPhase>>& operation_shape();
@@ -16,4 +16,4 @@ const Shape<std::vector<LoadPhase>>& operation_shape();
 bool check_operation(const std::vector<LoadPhase>& phases, bool has_voltage, const Given& motor,
                      Diagnostics& diagnostics);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

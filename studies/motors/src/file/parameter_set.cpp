@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // Adds a helpful error for a motor or study file given instead of a set, in place of a list of unknown entries.
@@ -50,4 +50,4 @@ std::vector<ParameterValue> read_parameter_set(const Source& source) {
   return values;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 Parameter parse_parameter(std::string_view name) {
   name = trimmed(name);
@@ -82,4 +82,4 @@ MotorDesign with_settings(const MotorDesign& design, std::span<const std::string
   }
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

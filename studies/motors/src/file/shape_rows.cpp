@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 Shape<std::pair<double, double>> shape_row() {
   const Shape<double> radius = quantity("radius", "m", "24.5 mm");
@@ -31,4 +31,4 @@ Shape<std::pair<double, double>> shape_row() {
   return shape;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

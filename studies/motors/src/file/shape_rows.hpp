@@ -5,9 +5,9 @@
 
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// One row of a measured or computed shape: a radius [m] and R.
 Shape<std::pair<double, double>> shape_row();
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -15,7 +15,7 @@
 #include <iterator>
 #include <optional>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr Parameter kNumbers[] = {Parameter::resonance_frequency, Parameter::modal_mass,
@@ -155,4 +155,4 @@ MotorDesign with_solid(MotorDesign design, const SolidData& data) {
   return design;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,7 +6,7 @@
 #include <twum/io/words.hpp>
 #include <twum/motors/motor_limit.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 WearLimit parse_wear_limit(std::string_view text) {
@@ -41,4 +41,4 @@ Shape<WearProfile> wear_profile_shape() {
       {WearProfile::even, WearProfile::free});
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

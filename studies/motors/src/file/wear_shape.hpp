@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// The list `wear.until`: limits that end a life, each of one metric and a number.
 const Shape<std::vector<WearLimit>>& until_shape();
@@ -14,4 +14,4 @@ const Shape<std::vector<WearLimit>>& until_shape();
 /// The word `wear.profile`.
 Shape<WearProfile> wear_profile_shape();
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 void WorstNotes::add(const std::vector<ModelNote>& notes, const std::string& what) {
   ++motors_;
@@ -43,4 +43,4 @@ std::vector<std::string> WorstNotes::texts() const {
   return texts;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

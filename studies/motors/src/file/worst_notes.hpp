@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// The notes on several motors: for each topic the most severe one, and the number of the others.
 class WorstNotes {
@@ -34,4 +34,4 @@ class WorstNotes {
   std::size_t motors_{0};
 };
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

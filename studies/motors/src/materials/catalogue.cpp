@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // SI units of all properties but those without dimension.
@@ -97,4 +97,4 @@ const Material& find_material(std::string_view name, std::span<const std::string
   throw ValueError("unknown material " + quoted(name), did_you_mean(name, names));
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A file of `materials/`, built into the program.
 struct EmbeddedFile {
@@ -13,4 +13,4 @@ struct EmbeddedFile {
 
 std::span<const EmbeddedFile> embedded_materials();
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 using Complex = std::complex<double>;
@@ -116,4 +116,4 @@ MetricDerivative differentiate(const MotorDesign& design, CircuitPart part,
   return result;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

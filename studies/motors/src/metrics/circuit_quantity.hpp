@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Readings of an impedance analyser at a phase of the free stator, with the other phase shorted, at the design's
 /// frequency (D4.4).
@@ -34,4 +34,4 @@ std::optional<CircuitPart> find_circuit_part(std::string_view name);
 MetricDerivative differentiate(const MotorDesign& design, CircuitPart part,
                                bool fixed_static_friction);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

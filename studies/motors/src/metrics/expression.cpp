@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr Expected kSpeed{"rad/s", "100 rpm"};
@@ -413,4 +413,4 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
   return list;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 template <typename... F>
@@ -214,4 +214,4 @@ std::string without_number(std::span<const MetricExpression> expressions,
                   [](MetricStatus status) { return status != MetricStatus::ok; });
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr const char* kUsage = "expected a limit such as 'stall_torque >= 0.8 N.m'";
@@ -215,4 +215,4 @@ MotorLimit parse_limit(std::string_view text) {
   return two_sided(text, signs, first, middle, last);
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

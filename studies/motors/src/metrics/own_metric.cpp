@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 void require_own_name(const std::string& name) {
@@ -103,4 +103,4 @@ MetricExpression expression_of(OwnMetric metric) {
   return expression;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

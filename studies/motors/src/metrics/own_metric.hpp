@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 using OwnTerm = std::shared_ptr<const OwnMetric>;
 
@@ -23,4 +23,4 @@ MetricValue own_value(const OwnMetric& own, const Motor& motor);
 MetricDerivative own_derivative(const OwnMetric& own, const Motor& motor,
                                 bool fixed_static_friction);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -9,7 +9,7 @@
 #include <map>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // Names that are not their words with underscores.
@@ -90,4 +90,4 @@ std::string plain_limit(const std::string& text) {
   return plain;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

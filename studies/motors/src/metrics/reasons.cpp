@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/motors/reasons.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 std::span<const Reason> reasons() {
   static constexpr Reason kReasons[] = {
@@ -81,4 +81,4 @@ std::span<const Reason> reasons() {
   return kReasons;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 using Kind = StatisticRequest::Kind;
@@ -140,4 +140,4 @@ StatisticLimit parse_statistic_limit(std::string_view text) {
   return limit;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

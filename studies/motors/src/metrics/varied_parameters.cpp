@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 std::string name_of(Parameter parameter) { return std::string(info(parameter).name); }
@@ -196,4 +196,4 @@ std::vector<double> VariedParameters::derivatives(
   return by;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

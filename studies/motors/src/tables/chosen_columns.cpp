@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 std::string unit_of_heading(std::string_view text) {
@@ -77,4 +77,4 @@ void name_chosen_columns(const std::vector<ColumnChoice>& choices,
   }
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// True if the choice names a column with this heading.
 bool names(const ColumnChoice& choice, std::string_view heading);
@@ -19,4 +19,4 @@ void name_chosen_columns(const std::vector<ColumnChoice>& choices,
                          std::vector<ColumnHeading>& headings, SourceMark begin,
                          Diagnostics& diagnostics);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr std::size_t kMostShown = 100;  // errors of one header
@@ -315,4 +315,4 @@ bool DesignTable::append_result(std::string_view record, std::size_t line, Scrat
   return ok;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

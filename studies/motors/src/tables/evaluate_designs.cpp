@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr std::size_t kRowsAtATime = 256;
@@ -61,4 +61,4 @@ DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigne
   return counts;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // What analysers call a quantity: small letters, without blanks and signs between words.
@@ -136,4 +136,4 @@ std::string name_instrument_columns(std::vector<ColumnHeading>& headings) {
   return "an impedance analyser's table of " + std::string(pair->name);
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// True for a heading that impedance analysers write, such as "Freq (Hz)", "Rs [Ohm]" or "|Z|".
 bool is_instrument_heading(std::string_view heading);
@@ -17,4 +17,4 @@ bool is_instrument_heading(std::string_view heading);
 /// the table is, such as "impedance analyser's table of R and X"; empty if it is none, or if a heading is a reading already.
 std::string name_instrument_columns(std::vector<ColumnHeading>& headings);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

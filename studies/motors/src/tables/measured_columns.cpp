@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 constexpr std::string_view kDeviation = "_sd", kTime = "time";
@@ -379,4 +379,4 @@ std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns
   return headings;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Role of a column in a table of measurements.
 enum class ColumnRole : unsigned char {
@@ -68,4 +68,4 @@ std::vector<std::string> unused(const std::vector<MeasuredColumn>& columns);
 /// Columns that set a parameter by a letter: "h sets thickness".
 std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -18,7 +18,7 @@
 #include <string_view>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 // Limit of columns, to avoid a long list of errors for a file of another kind.
@@ -331,4 +331,4 @@ MeasuredPoints joined(std::vector<MeasuredPoints> files) {
   return all;
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

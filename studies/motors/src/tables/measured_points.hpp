@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A measured quantity: a metric of the motor, or a part of the impedance of its free stator.
 using Reading = std::variant<MetricRequest, CircuitPart>;
@@ -84,4 +84,4 @@ MeasuredPoints read_measured_points(const Source& source,
 /// @throws InputError if points of several kinds, or only some of the points, have no standard deviation
 MeasuredPoints joined(std::vector<MeasuredPoints> files);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

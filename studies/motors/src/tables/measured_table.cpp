@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 MeasuredTable measured_table(const Source& source, const std::vector<ColumnChoice>& choices) {
   std::vector<std::string> kinds;
@@ -36,4 +36,4 @@ MeasuredTable read_measured_table(const std::string& path,
   return measured_table({name, file_content(path, kLargestMeasurements)}, choices);
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

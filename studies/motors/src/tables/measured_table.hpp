@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A table of measurements as plain CSV, each line where it was in the file.
 struct MeasuredTable {
@@ -26,4 +26,4 @@ MeasuredTable read_measured_table(const std::string& path,
 MeasuredTable measured_table(const Source& source, const std::vector<ColumnChoice>& choices = {});
 /// @}
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

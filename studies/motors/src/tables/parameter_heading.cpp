@@ -3,7 +3,7 @@
 
 #include <twum/io/words.hpp>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::string heading_of(const ParameterInfo& row) {
   return std::string(row.name) + (row.unit == "1" ? "" : " [" + std::string(row.unit) + "]");
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

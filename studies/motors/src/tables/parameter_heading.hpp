@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Names of up to so many letters are symbols, of which another case means something else.
 inline constexpr std::size_t kLongestSymbol = 4;
@@ -29,4 +29,4 @@ std::string bare_letter_advice(const ParameterInfo& row);
 /// The heading with which a parameter is read, such as "preload [N]".
 std::string heading_of(const ParameterInfo& row);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <utility>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 namespace {
 
 using Complex = std::complex<double>;
@@ -197,4 +197,4 @@ std::optional<MeasuredTable> touchstone_table(const Source& source) {
   return TouchstoneReader(source).read();
 }
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

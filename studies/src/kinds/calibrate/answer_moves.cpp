@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Columns of the residuals' Jacobian that are not zero.
@@ -61,4 +61,4 @@ std::vector<Move> moves_of(const MeasuredFit& fit, const optim::LeastSquaresResu
   return moves;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Whether derivatives of an answer with respect to a parameter make sense. Integer parameters have none, and a
 /// parameter that is 0 usually belongs to a feature that the motor does not have. Static friction keeps its ratio to
@@ -18,4 +18,4 @@ bool may_move(const MotorDesign& motor, const ParameterInfo& row);
 /// the measured quantities depend.
 std::vector<Move> moves_of(const MeasuredFit& fit, const optim::LeastSquaresResult& best);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -11,7 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A table as text and as points.
@@ -343,4 +343,4 @@ AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
           std::move(columns)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The fit that a calibration asks for.
 struct AskedFit {
@@ -30,4 +30,4 @@ std::vector<FitParameter> fit_parameters(const CalibrateStudy& asked);
 /// @throws InputError, or FileError with the places in a table, if they do not make a fit
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -25,7 +25,7 @@
 #include <limits>
 #include <mutex>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // How far the fits are, for the eye.
@@ -420,4 +420,4 @@ std::unique_ptr<StudyKindRun> CalibrateStudy::run(const StudyFile& file) const {
   return std::make_unique<CalibrateRun>(*this, asked_fit(*this, file));
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

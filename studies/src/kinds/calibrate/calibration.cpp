@@ -14,7 +14,7 @@
 #include <limits>
 #include <numeric>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using optim::LeastSquaresResult;
@@ -409,4 +409,4 @@ KindAnswer calibration(const CalibrationAsked& asked, const std::vector<LeastSqu
   return Calibration(asked, fits).answer(intervals);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// What the answer of a calibration is made from, besides the fits.
 struct CalibrationAsked {
@@ -59,4 +59,4 @@ KindAnswer calibration(const CalibrationAsked& asked,
                        const std::vector<optim::LeastSquaresResult>& fits,
                        const std::vector<ProfiledInterval>& intervals = {});
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -13,7 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Places of a curve: enough for a smooth one; a number at a torque takes a search for the speed.
@@ -320,4 +320,4 @@ std::vector<FitCurve> fit_curves(const StudyFile& study, const CalibrateResult& 
   return Curves(study, result).all();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A derivative that a residual may have.
@@ -283,4 +283,4 @@ std::vector<optim::Variable> MeasuredFit::variables(std::span<const double> star
   return result;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A parameter of a fit: of all tables of measurements, or of one.
 struct FitParameter : DesignVariable {
@@ -135,4 +135,4 @@ class MeasuredFit {
   bool mixed_{false};
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

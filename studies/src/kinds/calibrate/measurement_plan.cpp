@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::size_t kLength = 10;  // measurements of a plan
@@ -320,4 +320,4 @@ std::vector<CalibrateResult::Planned> first_plan(const MeasuredFit& readings,
   return Planner(readings, std::move(values), 1).plan();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The measurements that would reduce the confidence region of the estimates most, each given the ones before it
 /// (L6.1, L6.2). They are of the measured kinds with their scatter, at other speeds or torques and other settings of
@@ -31,4 +31,4 @@ std::vector<MeasuredPoint> first_readings(const MotorDesign& motor);
 std::vector<CalibrateResult::Planned> first_plan(const MeasuredFit& readings,
                                                  std::vector<double> values);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 std::vector<MeasuredPoint> readings_of(const MotorDesign& motor) {
@@ -92,4 +92,4 @@ std::unique_ptr<StudyKindRun> planned_calibration(const CalibrateStudy& asked,
   return std::make_unique<PlanRun>(asked, motor);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,11 +8,11 @@
 
 #include <memory>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A calibration without data: the plan of the first measurements, from the motor and the ranges alone (L6.1, L6.2).
 /// @throws InputError for a motor that nothing can be read of
 std::unique_ptr<StudyKindRun> planned_calibration(const CalibrateStudy& asked,
                                                   const MotorDesign& motor);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // A point that counts, and its number among these.
@@ -184,4 +184,4 @@ void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
   test_kinds(result, kinds);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

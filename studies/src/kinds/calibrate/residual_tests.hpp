@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Fills in what chance says of the residuals (section 4 of the theory): how alike neighbours are, whether the readings of a
 /// column share an offset, and chi-square of all and of the kind of data that stands out most. Nothing if the residuals are
@@ -19,4 +19,4 @@ void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
 /// The numbers of the points that are neighbours of each other on the bench, in the order of what it varied: of all kinds of data.
 std::vector<std::vector<std::size_t>> measured_series(const CalibrateResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using optim::LeastSquaresResult;
@@ -87,4 +87,4 @@ std::vector<CalibrateResult::Combination> hardly_seen(const LeastSquaresResult& 
   return list;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

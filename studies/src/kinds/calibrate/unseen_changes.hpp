@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Sets of parameters that the data do not tell apart.
 /// @param residuals  at the fit
@@ -23,4 +23,4 @@ std::vector<CalibrateResult::Undetermined> unseen_sets(
 std::vector<CalibrateResult::Combination> hardly_seen(const optim::LeastSquaresResult& fit,
                                                       std::size_t points, bool exact);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

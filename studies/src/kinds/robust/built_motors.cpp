@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kBuilt = SearchStage{SearchStage::Phase::built}.number();
@@ -61,4 +61,4 @@ StoredRow BuiltMotorRows::answer(const StoredRow& asked) const {
   return row;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -15,7 +15,7 @@
 #include <mutex>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// How the built motors of a search scatter, and the limits on their statistics; empty if every motor equals the design.
 struct BuiltMotorsAsked {
@@ -88,4 +88,4 @@ class BuiltMotorRows {
   mutable std::map<BuiltQuestion, Problem> problems_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

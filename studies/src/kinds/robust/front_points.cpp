@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::vector<std::size_t> ends_of(const ParetoResult& result) {
   std::vector<std::size_t> ends;
@@ -41,4 +41,4 @@ std::size_t knee_of(const ParetoResult& result) {
   return knee;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

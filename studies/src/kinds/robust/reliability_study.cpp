@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr const char* kWaysFact = "ways-to-fail";
@@ -230,4 +230,4 @@ std::unique_ptr<StudyKindRun> UncertaintyStudy::run(const StudyFile& file) const
   return std::make_unique<ReliabilityRun>(*this, file);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // The values of the goals: metrics of the design, statistics by new random motors.
@@ -62,4 +62,4 @@ KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& conte
           front_result(beginning, posed, front)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <twum/optim/options.hpp>
 #include <twum/studies/robust_question.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Input of a front under tolerances.
 struct RobustFrontBeginning {
@@ -21,4 +21,4 @@ struct RobustFrontBeginning {
 /// Searches the front. The yield of each point comes from new random motors.
 KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& context);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kRoundsOfASearch = 1'000'000;  // more than one search ever needs
@@ -106,4 +106,4 @@ void RobustLog::report_progress(std::uint64_t round) {
        .share = std::min(share, 1.0)});
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

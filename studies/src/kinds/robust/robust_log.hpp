@@ -5,7 +5,7 @@
 
 #include <twum/optim/robust.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Stores the evaluations of a robust search and answers from them, as SearchLog does for a plain search. A row has
 /// the design and its metrics, as in a plain search. Its detail holds the round, the design with its reliability
@@ -52,4 +52,4 @@ class RobustLog {
 /// @param most  motors that the sample may have
 RunProgress progress_of_sample(std::uint64_t done, std::uint64_t made, std::uint64_t most);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kNominalProducts = 20000;
@@ -179,4 +179,4 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   return {outcome_of(found.outcome), std::move(plain)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

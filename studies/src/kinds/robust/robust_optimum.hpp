@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A fixed combination of integer variables and sets.
 struct RobustCandidate {
@@ -40,4 +40,4 @@ RobustQuestion question_before(RobustQuestion question, const MotorDesign& befor
 KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain,
                           RunContext& context);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

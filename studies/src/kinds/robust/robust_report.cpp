@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::size_t kBins = 60;
@@ -248,4 +248,4 @@ RobustReport robust_report(const RobustQuestion& question, const optim::RobustPr
   return report;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Reference for a robust optimum: the optimum without tolerances, or the motor before the search.
 struct NominalMotors {
@@ -37,4 +37,4 @@ optim::Certificate design_certificate(optim::Certificate certificate,
 optim::Certificate goal_certificate(const optim::RobustResult& found, bool maximize,
                                     const optim::RobustProblem& posed);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 NamedValue named(const MotorDesign& motor, Parameter parameter) {
@@ -280,4 +280,4 @@ std::vector<std::string> DesignReporter::without_influence(const optim::Evaluati
   return names;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

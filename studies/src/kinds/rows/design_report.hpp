@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Makes the reports on designs of one question.
 class DesignReporter {
@@ -47,4 +47,4 @@ class DesignReporter {
   std::vector<MotorLimit> limits_;  // limits of the question, then those that follow
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

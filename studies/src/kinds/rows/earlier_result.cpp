@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ const EarlierDesign& best_start(const DesignProblem& problem,
   return designs[best];
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

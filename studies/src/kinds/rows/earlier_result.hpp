@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Parameters of a design that an earlier study found, SI.
 using EarlierDesign = std::vector<ParameterValue>;
@@ -21,4 +21,4 @@ std::vector<EarlierDesign> earlier_designs(const std::string& folder);
 const EarlierDesign& best_start(const DesignProblem& problem,
                                 const std::vector<EarlierDesign>& designs);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

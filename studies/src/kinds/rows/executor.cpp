@@ -3,7 +3,7 @@
 
 #include <twum/base/ordered.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 ThreadExecutor::ThreadExecutor(const StudyKindRun& kind, unsigned jobs)
     : kind_(kind), jobs_(job_count(jobs)) {}
@@ -18,4 +18,4 @@ std::vector<StoredRow> ThreadExecutor::rows(const std::vector<StoredRow>& asked,
   return made;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Computes the rows of a study, on the threads of this process (ThreadExecutor) or of all processes that were
 /// started for it (Processes::executor()).
@@ -50,4 +50,4 @@ class ThreadExecutor final : public Executor {
   unsigned jobs_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Appends the bytes of a number to the detail of a row.
 template <typename T>
@@ -65,4 +65,4 @@ inline void append_text(std::string& bytes, const std::string& text) {
   bytes += text;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

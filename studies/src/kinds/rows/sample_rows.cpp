@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 StoredRow row_of(std::uint64_t stage, std::uint64_t index) {
@@ -103,4 +103,4 @@ void RowEvaluator::evaluate(std::span<const double> variables, StoredRow& row) c
   row.status = reason.empty() ? "ok" : reason;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

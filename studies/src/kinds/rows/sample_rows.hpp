@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Computes and stores the missing rows of a stage of `count` rows, in order, on all lanes of the executor. Stage and
 /// index determine a row. Memory does not grow with the rows. `offset` is added to the progress shown, out of
@@ -42,4 +42,4 @@ class RowEvaluator {
   ExpressionEvaluator evaluator_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

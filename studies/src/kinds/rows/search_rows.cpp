@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Undefined derivatives are NaN in the Jacobian, so their kinks need not be stored.
@@ -258,4 +258,4 @@ bool SearchLog::feasible(const optim::Evaluation& evaluation) const {
   return true;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

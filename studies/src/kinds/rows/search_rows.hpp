@@ -14,7 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// An evaluation for a solver (responses, Jacobian, kinks) and whether derivatives were requested, as the detail of a
 /// row.
@@ -108,4 +108,4 @@ class SearchLog {
   std::string best_text_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// What a row of a search is. The store keeps it as one number, from which each row can be computed without the others.
 struct SearchStage {
@@ -47,4 +47,4 @@ struct SearchStage {
   static constexpr std::uint64_t kRunsOfRobust = 100'000'000;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr unsigned kDigitBits = 16;
@@ -83,4 +83,4 @@ std::vector<double> stored_medians(const ResultStore& store, std::uint64_t stage
   return medians;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The median of each column from `first_column` on over the rows of a stage, rows without a value
 /// left out: exact, the lower one of two middle ones; NaN where there is no value. Reads the stage
@@ -15,4 +15,4 @@ namespace twum::studies {
 std::vector<double> stored_medians(const ResultStore& store, std::uint64_t stage,
                                    std::size_t first_column);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,10 +3,10 @@
 
 #include <twum/studies/study_file.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
   return std::visit([&](const auto& asked) { return asked.run(file); }, file.asked);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 class Executor;
 
@@ -95,4 +95,4 @@ inline std::optional<optim::Certificate> StudyKindRun::certify(
 /// @throws FileError or InputError for errors in these files
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

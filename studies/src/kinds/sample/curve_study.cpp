@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // One motor of the family.
@@ -127,4 +127,4 @@ std::unique_ptr<StudyKindRun> CurveStudy::run(const StudyFile& file) const {
   return std::make_unique<CurveRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

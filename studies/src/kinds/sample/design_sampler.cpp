@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 // A grid point. Integers are rounded, which removes rounding errors of the logarithm.
 double DesignSampler::Axis::at(std::uint64_t point) const {
@@ -72,4 +72,4 @@ void DesignSampler::design(std::uint64_t index, std::span<double> design) const 
   for (std::size_t i = 0; i < axes_.size(); ++i) design[i] = axes_[i].share(design[i]);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

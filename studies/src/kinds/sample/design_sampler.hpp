@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The designs of a sweep. Each is computed from its number only, so that a million designs take no memory.
 ///
@@ -57,4 +57,4 @@ class DesignSampler {
   std::optional<optim::SobolSequence> sobol_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 std::vector<DrawnVariable> drawn_variables(const std::vector<Tolerance>& asked,
@@ -175,4 +175,4 @@ void DrawnMotors::tell_causes(const Broken& broken, UncertaintyResult& result) c
                                                   : Estimate{});
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

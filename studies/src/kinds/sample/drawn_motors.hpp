@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A parameter with its distribution.
 struct DrawnVariable {
@@ -84,4 +84,4 @@ class DrawnMotors : public StudyKindRun {
 std::unique_ptr<StudyKindRun> make_plain_uncertainty(const UncertaintyStudy& asked,
                                                      const StudyFile& file);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

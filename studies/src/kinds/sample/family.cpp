@@ -5,7 +5,7 @@
 #include <twum/base/no_value.hpp>
 #include <twum/io/engineering.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 MotorDesign family_motor(const MotorDesign& base, Parameter parameter, double value) {
   try {
@@ -47,4 +47,4 @@ StoredColumn family_column(Parameter parameter) {
   return {std::string(row.name), std::string(row.unit)};
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

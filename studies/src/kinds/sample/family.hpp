@@ -10,7 +10,7 @@
 #include <vector>
 
 /// What several kinds of study of one motor share: families over one parameter, loads; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The motor with this value of the family's parameter.
 /// @throws InputError naming the entry of the study, the value, and why there is no such motor
@@ -35,4 +35,4 @@ std::optional<LoadPoint> load_point(const std::optional<double>& torque,
 /// The column of the family's values.
 StoredColumn family_column(Parameter parameter);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A run with a stage for each motor of a family and a row for each of its points. All of a motor is computed when the first of its
 /// rows is needed.
@@ -107,4 +107,4 @@ class FamilyRun : public StudyKindRun {
   mutable std::vector<std::optional<Member>> computed_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

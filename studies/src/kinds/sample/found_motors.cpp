@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 MotorFile motor_with(const StudyFile& file, const std::vector<NamedValue>& values,
@@ -156,4 +156,4 @@ std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& resu
   return texts;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A motor that a study has found.
 struct FoundMotor {
@@ -35,4 +35,4 @@ std::string found_motor_text(const FoundMotor& found, const StudyResult& result)
 /// severe note on each topic.
 std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

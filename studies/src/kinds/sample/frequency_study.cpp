@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr double kNoFamily = std::numeric_limits<double>::quiet_NaN();
@@ -206,4 +206,4 @@ std::unique_ptr<StudyKindRun> FrequencyStudy::run(const StudyFile& file) const {
   return std::make_unique<FrequencyRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

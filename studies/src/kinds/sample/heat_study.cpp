@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Columns of a row behind its time.
@@ -256,4 +256,4 @@ std::unique_ptr<StudyKindRun> HeatStudy::run(const StudyFile& file) const {
   return std::make_unique<HeatRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

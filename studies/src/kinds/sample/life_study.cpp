@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 struct WearColumn {
@@ -203,4 +203,4 @@ std::unique_ptr<StudyKindRun> LifeStudy::run(const StudyFile& file) const {
   return std::make_unique<LifeRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

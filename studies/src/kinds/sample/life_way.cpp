@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using motion::FreeLife;
@@ -107,4 +107,4 @@ void require_way_of_life(const MotorDesign& design, const std::optional<LoadPoin
   if (wears_freely(design)) motion::require_free_life(design, load);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

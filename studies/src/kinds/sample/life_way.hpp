@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A motor on the way through its life.
 struct WayPoint {
@@ -36,4 +36,4 @@ LifeWay way_of_life(const MotorDesign& design, const std::optional<LoadPoint>& l
 /// Checks that way_of_life() can serve this motor, without computing the life. @throws InputError as way_of_life()
 void require_way_of_life(const MotorDesign& design, const std::optional<LoadPoint>& load);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

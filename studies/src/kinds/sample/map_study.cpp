@@ -12,7 +12,7 @@
 #include <mutex>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 struct MapColumn {
@@ -288,4 +288,4 @@ std::unique_ptr<StudyKindRun> MapStudy::run(const StudyFile& file) const {
   return std::make_unique<MapRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

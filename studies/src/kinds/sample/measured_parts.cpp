@@ -15,7 +15,7 @@
 #include <memory>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::string_view kWeight = "weight";
@@ -112,4 +112,4 @@ void check_apart(const PartsTable& table, Parameter parameter, std::string_view 
                    ": has a column in study.parts too; leave one of them out");
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

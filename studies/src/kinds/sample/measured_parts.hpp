@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A table of measured parts; internal.
 struct PartsTable {
@@ -33,4 +33,4 @@ PartsTable read_parts(const std::string& path, const std::string& folder, const 
 /// @param entry  of the study, in which the parameter stands
 void check_apart(const PartsTable& table, Parameter parameter, std::string_view entry);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using Sample = motion::MotionSample;
@@ -156,4 +156,4 @@ std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& as
   return found;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Numbers of motions that are asked for; internal.
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// The times that a measure asks for; they have to be among the samples.
 std::vector<double> times_of(const MotionMeasure& measure);
@@ -32,4 +32,4 @@ std::vector<MotionResult::Measure> measured(const std::vector<MotionMeasure>& as
 MotionResult::StepError step_error(std::span<const motion::MotionSample> fine,
                                    std::span<const motion::MotionSample> coarse);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

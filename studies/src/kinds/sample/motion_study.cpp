@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 using motion::MotionSample;
@@ -148,4 +148,4 @@ std::unique_ptr<StudyKindRun> MotionStudy::run(const StudyFile& file) const {
   return std::make_unique<MotionRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

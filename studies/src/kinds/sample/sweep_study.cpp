@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Metrics of a grid, list or sample of designs: one stage, a row for each design.
@@ -104,4 +104,4 @@ std::unique_ptr<StudyKindRun> SweepStudy::run(const StudyFile& file) const {
   return std::make_unique<SweepRun>(*this, file.motor.design);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 std::vector<double> sorted(std::vector<double> values) {
@@ -165,4 +165,4 @@ std::unique_ptr<StudyKindRun> make_plain_uncertainty(const UncertaintyStudy& ask
   return std::make_unique<UncertaintyRun>(asked, file);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr int kRadii = 33;
@@ -47,4 +47,4 @@ std::vector<LifeResult::AtRadius> wear_profile(const MotorDesign& design, const 
   return profile;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

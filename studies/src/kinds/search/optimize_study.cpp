@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search/optimum.hpp"
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // The best design under limits.
@@ -24,4 +24,4 @@ std::unique_ptr<StudyKindRun> OptimizeStudy::run(const StudyFile& file) const {
   return std::make_unique<OptimizeRun>(*this, file);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Slices of a track that is not split. Their error is 1e-3 of the torque, which is enough for a first search.
@@ -175,4 +175,4 @@ KindAnswer OptimumRun::run(RunContext& context) {
   return robust;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 
 #include <twum/studies/robust_question.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// A search for one best design, shared by optimize and size.
 class OptimumRun : public SearchRun {
@@ -36,4 +36,4 @@ class OptimumRun : public SearchRun {
   BuiltMotorRows motors_;
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Parameters of the motor that are neither varied nor derived.
@@ -112,4 +112,4 @@ void add_moves(const DesignProblem& question, const optim::Result& found, Optimi
   }
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

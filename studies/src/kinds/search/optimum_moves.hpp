@@ -5,7 +5,7 @@
 #include <twum/studies/motor_problem.hpp>
 #include <twum/studies/optimize_result.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Computes the derivatives of an optimum with respect to each parameter that its question holds fixed and that has
 /// an influence (L5.2, L5.3), or the reason why there are none. Sets `moving`, `moves`, `unmoved` and
@@ -15,4 +15,4 @@ namespace twum::studies {
 /// @param found     an optimum of the question
 void add_moves(const DesignProblem& question, const optim::Result& found, OptimizeResult& result);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

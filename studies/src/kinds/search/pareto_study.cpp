@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Metrics in place of statistics, each once.
@@ -162,4 +162,4 @@ std::unique_ptr<StudyKindRun> ParetoStudy::run(const StudyFile& file) const {
   return std::make_unique<ParetoRun>(*this, file);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

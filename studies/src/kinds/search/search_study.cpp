@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 bool finite(const optim::Evaluation& evaluation) {
@@ -228,4 +228,4 @@ optim::Certificate SearchRun::certificate(const DesignProblem& asked,
   return optim::certify(held, design, options_);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

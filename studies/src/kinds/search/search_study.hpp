@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Base of optimize, size and pareto: a question about a motor, a solver, a start.
 class SearchRun : public StudyKindRun {
@@ -89,4 +89,4 @@ class SearchRun : public StudyKindRun {
   mutable std::map<int, Answers> answers_;  // by SearchStage::nodes
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -3,7 +3,7 @@
 
 #include <twum/studies/sizing.hpp>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // The duty comes first among the limits.
@@ -34,4 +34,4 @@ std::unique_ptr<StudyKindRun> SizeStudy::run(const StudyFile& file) const {
   return std::make_unique<SizeRun>(*this, file);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Exact derivatives at one motor: one row, whose detail holds the gradients and their smoothness.
@@ -103,4 +103,4 @@ std::unique_ptr<StudyKindRun> make_local_sensitivity(const SensitivityStudy& ask
   return std::make_unique<LocalSensitivity>(asked, motor);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 MetricGradients::MetricGradients(const std::vector<MetricExpression>& metrics,
                                  VariedParameters varied)
@@ -41,4 +41,4 @@ std::vector<double> unpacked(std::string_view bytes) {
   return numbers;
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

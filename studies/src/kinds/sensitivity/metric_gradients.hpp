@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Exact derivatives of expressions with respect to the varied parameters, with the others fixed and the derived ones
 /// following. Immutable and thread-safe.
@@ -35,4 +35,4 @@ class MetricGradients {
 std::string packed(std::span<const double> numbers);
 std::vector<double> unpacked(std::string_view bytes);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 // Morris' screening: a stage of trajectories of d + 1 rows.
@@ -92,4 +92,4 @@ std::unique_ptr<StudyKindRun> make_morris_sensitivity(const SensitivityStudy& as
   return std::make_unique<MorrisSensitivity>(asked, motor);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 SensitivityRun::SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor)
     : base_(motor),
@@ -66,4 +66,4 @@ std::unique_ptr<StudyKindRun> SensitivityStudy::run(const StudyFile& file) const
   return make_sobol_sensitivity(*this, motor);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Base of the methods of a sensitivity study: entries, rows, and the common part of the answer.
 class SensitivityRun : public StudyKindRun {
@@ -41,4 +41,4 @@ std::unique_ptr<StudyKindRun> make_morris_sensitivity(const SensitivityStudy& as
 std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const SensitivityStudy& asked,
                                                      const MotorDesign& motor);
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 constexpr std::uint64_t kMostDoublings = 6;  // by default 64 times the first round
@@ -159,4 +159,4 @@ std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const SensitivityStudy& ask
   return std::make_unique<SobolSensitivity>(asked, motor);
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

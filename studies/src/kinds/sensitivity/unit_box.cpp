@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 namespace {
 
 double value_at(const DesignVariable& range, double u) {
@@ -75,4 +75,4 @@ double UnitBox::sd(std::size_t variable) const {
   return of_tolerances() ? laws_[variable].sd() : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::studies {
+namespace twum::inline v0_1::studies {
 
 /// Maps points of the unit cube to the ranges of variables, on a linear or logarithmic scale, or to values by their tolerances. The
 /// values of an integer parameter have equal shares of a range.
@@ -38,4 +38,4 @@ class UnitBox {
   std::vector<Distribution> laws_;      // one each; none for ranges
 };
 
-}  // namespace twum::studies
+}  // namespace twum::inline v0_1::studies

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // Points of the page.
@@ -118,4 +118,4 @@ Picture parallel_picture(const std::string& title, const telling::Parallel& told
               colour_of_lines(rows.size()) + "' title ''\n"};
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -12,7 +12,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 namespace {
 
 // A curve some 600 points of the page wide.
@@ -140,4 +140,4 @@ std::vector<Picture> told_pictures(const FinishedStudy& study) {
   return pictures;
 }
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::cli {
+namespace twum::inline v0_1::cli {
 
 /// A finished study, from which its pictures are made.
 struct FinishedStudy {
@@ -25,4 +25,4 @@ struct FinishedStudy {
 /// The pictures of what is said about an answer: of its charts, of each section's bars, and of parallel coordinates.
 std::vector<Picture> told_pictures(const FinishedStudy& study);
 
-}  // namespace twum::cli
+}  // namespace twum::inline v0_1::cli

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// A value with its derivatives in N directions: forward-mode differentiation.
 ///
@@ -256,4 +256,4 @@ SinCos<Dual<T, N>> sincos(const Dual<T, N>& x) {
 }
 /// @}
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Root of every exception that twum throws on purpose.
 class Error : public std::runtime_error {
@@ -48,7 +48,7 @@ namespace detail {
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 }  // namespace detail
 
-}  // namespace twum
+}  // namespace twum::inline v0_1
 
 /// Checks a condition that only a bug in twum can break. Active in all builds, so keep it out of hot loops.
 #define TWUM_ASSERT(condition) \

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 template <typename Signature>
 class FunctionRef;
@@ -38,4 +38,4 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

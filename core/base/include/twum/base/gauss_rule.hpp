@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Gauss-Legendre rule on 0 .. 1.
 struct GaussRule {
@@ -18,4 +18,4 @@ struct GaussRule {
 /// The rule of a number of nodes, made once in each thread; it lives as long as the thread.
 const GaussRule& gauss_rule(int nodes);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// A number that is not known or not defined.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

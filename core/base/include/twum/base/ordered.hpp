@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Threads to use for a request: 0 means one for each processor.
 unsigned job_count(unsigned requested);
@@ -211,4 +211,4 @@ std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
   return run_blocks(range, made, std::move(take));
 }
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

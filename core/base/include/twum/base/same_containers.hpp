@@ -6,7 +6,7 @@
 /// that a library built without it would read wrong members. A program that mixes the two does not link: it refers to a symbol
 /// that only a library of its own kind has.
 
-namespace twum::base {
+namespace twum::inline v0_1::base {
 
 #ifdef _GLIBCXX_DEBUG
 /// Defined by libraries that were built with _GLIBCXX_DEBUG.
@@ -20,4 +20,4 @@ extern const char library_was_built_without_glibcxx_debug;
 [[gnu::used]] inline const char* const same_containers = &library_was_built_without_glibcxx_debug;
 #endif
 
-}  // namespace twum::base
+}  // namespace twum::inline v0_1::base

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Two places between which a function changes its sign.
 struct Bracket {
@@ -47,4 +47,4 @@ LeastValue least_between(std::string_view sought, FunctionRef<double(double)> f,
 double zero_or_last_value(std::string_view sought, FunctionRef<double(double)> f, double good,
                           double bad, int bits);
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

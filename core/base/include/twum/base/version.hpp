@@ -14,7 +14,7 @@
 #define TWUM_NAME_WITH_VERSION(major, minor) TWUM_NAME_WITH_NUMBERS(major, minor)
 #define TWUM_NAME_WITH_NUMBERS(major, minor) library_has_version_##major##_##minor  ///< its parts
 
-namespace twum {
+namespace twum::inline v0_1 {
 
 /// Version of the library that runs, "major.minor.patch"; static lifetime. The macros are those of the headers.
 const char* version() noexcept;
@@ -30,4 +30,4 @@ extern const char TWUM_NAME_WITH_VERSION(TWUM_VERSION_MAJOR, TWUM_VERSION_MINOR)
 
 }  // namespace base
 
-}  // namespace twum
+}  // namespace twum::inline v0_1

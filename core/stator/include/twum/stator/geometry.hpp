@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// The metal plate. Its thickness is that of the ring, without the teeth.
 struct Substrate {
@@ -165,4 +165,4 @@ std::vector<std::string> geometry_complaints(const StatorGeometry& geometry);
 /// @throws InputError with all complaints otherwise
 void check_geometry(const StatorGeometry& geometry);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

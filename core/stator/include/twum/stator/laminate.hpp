@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// Shear factor of Mindlin's plate, pi^2 / 12 [1].
 inline constexpr double kMindlinShearFactor = 0.82246703342411321824;
@@ -68,4 +68,4 @@ SectionOf<S> section_of(const std::vector<LayerOf<S>>& layers,
   return section;
 }
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

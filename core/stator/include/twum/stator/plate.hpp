@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// A ring of a stepped plate: constant section between two radii.
 template <typename S>
@@ -85,4 +85,4 @@ struct PlateMode {
 std::vector<PlateMode> plate_modes(const std::vector<Segment>& segments, PlateTheory theory,
                                    InnerEdge inner_edge, int nodal_diameters, int count);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

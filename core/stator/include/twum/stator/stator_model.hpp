@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::stator {
+namespace twum::inline v0_1::stator {
 
 /// A mode of the stator.
 struct StatorMode {
@@ -110,4 +110,4 @@ StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double
 std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_diameters, int count,
                                     PlateTheory theory = PlateTheory::mindlin);
 
-}  // namespace twum::stator
+}  // namespace twum::inline v0_1::stator

@@ -6,7 +6,7 @@
 #include <twum/base/no_value.hpp>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
 struct StoredColumn {
@@ -29,4 +29,4 @@ struct NamedValue {
   double value;      ///< kNoValue: none
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// One record of a CSV text, with the line on which it begins, counted from 1.
 struct CsvRecord {
@@ -96,4 +96,4 @@ void append_own_cell(std::string& out, std::string_view text);
 /// it as text.
 void append_cell(std::string& out, std::string_view text);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

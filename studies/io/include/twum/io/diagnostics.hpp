@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// One thing that is wrong in a file: where, which entry, what was found, what would be right.
 struct Diagnostic {
@@ -67,4 +67,4 @@ class Diagnostics {
   std::vector<Diagnostic> found_;
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

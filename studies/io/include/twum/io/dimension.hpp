@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Dimension of a quantity as powers of the base units m, kg, s, rad, A and K. The radian is a base unit, so a torque
 /// is not an energy and an angular speed is not a frequency. Powers may be fractions, such as 1/2 for the square root
@@ -51,4 +51,4 @@ struct Measure {
 /// @throws ValueError naming what was found, such as an unknown unit, with its position
 Measure parse_measure(std::string_view text);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// An SI value with an engineering prefix: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
 /// @param digits  significant ones, 1 to 17
@@ -32,4 +32,4 @@ std::string printed_engineering(double value, std::string_view si_unit, int digi
 /// A unit as books print it: "µm", "N·m", "W/m²" for um, N.m, W/m^2.
 std::string printed_unit(std::string_view unit);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

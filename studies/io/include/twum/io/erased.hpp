@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A function whose first argument is a T, kept as a function of an address. Code that reads and writes entries can
 /// therefore be compiled once, not once for each struct.
@@ -68,4 +68,4 @@ constexpr ErasedList erased_list() {
       [](void* list, std::size_t number) -> void* { return &(*static_cast<List*>(list))[number]; }};
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

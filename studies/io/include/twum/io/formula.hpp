@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A name in a formula.
 struct FormulaName {
@@ -109,4 +109,4 @@ Formula read_formula(std::string_view text, const FormulaNames& names);
 void require_same_dimension(const Formula& left, const Formula& right, std::string_view sign,
                             std::size_t position);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Names and versions of the libraries that files are read and written with.
 std::vector<std::pair<std::string, std::string>> file_library_versions();
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Reads a text that is a number as a whole, such as "1.5", "+2", ".5", "5." or "1e-6". Nothing for any other text,
 /// including hexadecimal, infinite and NaN, and beyond the range of a double. Independent of the locale.
@@ -48,4 +48,4 @@ std::string rounded_text(double value, int digits);
 /// A rounded number for a sentence: two significant digits, or a whole number from 100 on.
 std::string about(double value);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

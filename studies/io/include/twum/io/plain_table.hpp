@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// True for a heading that the reader of a table knows, such as "preload [N]".
 using KnownHeading = std::function<bool(std::string_view heading)>;
@@ -41,4 +41,4 @@ struct PlainStream {
 PlainStream plain_stream(const std::string& name, CsvReader::Bytes bytes,
                          const KnownHeading& known);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

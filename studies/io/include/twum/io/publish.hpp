@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A schema as JSON Schema (draft 2020-12), for editors and other programs. Depends on the schema only.
 /// @param id  address that identifies the schema
@@ -19,4 +19,4 @@ std::string markdown_table(const Schema& mapping);
 /// A commented YAML file to start from: every entry with its example, optional ones commented out.
 std::string yaml_template(const Schema& schema, std::string_view heading);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// One evaluation. It is identified by (stage, index), which depends on the study and its seed, not on threads or
 /// interruptions.
@@ -97,4 +97,4 @@ class ResultStore {
   std::unique_ptr<Database> database_;
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

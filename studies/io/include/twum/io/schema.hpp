@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Kind of a value in a file.
 enum class ValueKind : unsigned char {
@@ -86,4 +86,4 @@ struct SchemaEntry {
 /// The entry of a schema at a path such as "motor.stator.frequency"; null if there is none.
 const SchemaEntry* find_path(const Schema& root, std::string_view path);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A mapping of a file, for checks that involve several of its entries.
 class Given {
@@ -227,4 +227,4 @@ Field<T> section(std::string name, std::string text, const Fields<T>& fields,
       erased_section(std::move(name), std::move(text), fields.erased(), check.erased(), &fresh));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A list that its copies share until one of them changes: a schema is put together from parts, each of which is copied
 /// once for every level above it.
@@ -47,4 +47,4 @@ class SharedList {
   std::shared_ptr<std::vector<T>> items_;
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A place in a text; line and column count from 1 in characters, as in editors.
 struct SourceMark {
@@ -49,4 +49,4 @@ inline constexpr std::size_t kLargestFile = std::size_t{4} << 20U;
 /// @throws InputError if it cannot be read or is larger than kLargestFile.
 Source read_source(const std::string& path);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

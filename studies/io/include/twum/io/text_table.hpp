@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Default width of a terminal [characters].
 inline constexpr std::size_t kSummaryWidth = 80;
@@ -27,4 +27,4 @@ std::string aligned(const TextTable& table);
 /// @param width  0: no limit
 std::string aligned(const TextTable& table, std::size_t width);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

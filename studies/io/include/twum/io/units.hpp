@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Conversion of numbers in a unit to SI: multiplication by `factor`, which is 10^power for decimal units; of absolute
 /// temperatures in degC the addition of 273.15.
@@ -71,4 +71,4 @@ std::string_view dimension_name(std::string_view si_unit);
 /// Name of a dimension in error texts: "a length [m]", "a number without unit".
 std::string dimension_phrase(std::string_view si_unit);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// A wrong text. What was found and what would be right are kept separately, so that a reader of files can add the
 /// place, and the command line the option.
@@ -35,4 +35,4 @@ class ValueError : public InputError {
   std::size_t position_;
 };
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Place of a value in a file.
 struct Spot {
@@ -195,4 +195,4 @@ Shape<T> one_of(std::string text, const std::vector<Shape<T>>& alternatives,
                                       std::move(selector), std::move(words)));
 }
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

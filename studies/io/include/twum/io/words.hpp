@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Number of insertions, deletions, replacements and swaps of neighbours between two words, or limit + 1 if there are
 /// more than `limit`. Cost: the product of their lengths.
@@ -51,4 +51,4 @@ std::string counted(std::uint64_t count, std::string_view what);
 /// Splits a text at commas outside parentheses and removes blanks at the ends of the pieces; views into the text.
 std::vector<std::string_view> split_list(std::string_view text);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

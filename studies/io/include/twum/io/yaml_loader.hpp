@@ -5,7 +5,7 @@
 #include <twum/io/diagnostics.hpp>
 #include <twum/io/yaml_node.hpp>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 /// Reads one YAML document strictly: duplicate keys, keys that are not words, anchors, aliases, merge keys, tags,
 /// further documents, deep nesting, and bytes that are not text are errors.
@@ -15,4 +15,4 @@ namespace twum::io {
 /// @return the root; of kind refused if nothing could be read.
 YamlNode load_yaml(Diagnostics& diagnostics);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

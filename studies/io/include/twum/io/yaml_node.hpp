@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 
 struct YamlEntry;
 
@@ -43,4 +43,4 @@ struct YamlEntry {
 /// Name of a kind in error texts: "a text", "a list", ... Static lifetime.
 std::string_view kind_phrase(YamlNode::Kind kind);
 
-}  // namespace twum::io
+}  // namespace twum::inline v0_1::io

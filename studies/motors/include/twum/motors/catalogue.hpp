@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A property of a material.
 struct MaterialValue {
@@ -38,4 +38,4 @@ std::span<const Material> material_catalogue();
 /// @throws ValueError for an unknown name or one of another kind, with the nearest admissible name
 const Material& find_material(std::string_view name, std::span<const std::string_view> kinds = {});
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Where a quantity stands in a table whose headings do not say so.
 struct ColumnChoice {
@@ -18,4 +18,4 @@ struct ColumnChoice {
   friend bool operator==(const ColumnChoice&, const ColumnChoice&) = default;  ///< all equal
 };
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// One quantity of a torque-speed curve.
 struct CurveColumn {
@@ -57,4 +57,4 @@ struct SquealRange {
 /// curve for each speed.
 std::vector<SquealRange> squeal_ranges(const Motor& motor, std::span<const double> speeds);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -17,11 +17,11 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::io {
+namespace twum::inline v0_1::io {
 struct Heading;
 }
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// True for a heading that names a parameter, with or without a unit: what plain_stream() looks for in tables of designs.
 bool is_parameter_heading(std::string_view heading);
@@ -135,4 +135,4 @@ DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigne
                             const std::function<bool()>& proceed,
                             const std::function<void(const DesignCounts&)>& progress);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A quantity that a program computes from a motor, such as its cost. Its functions have to be pure and thread-safe. For a
 /// motor without an answer they throw EvaluationError, or return NaN.
@@ -165,4 +165,4 @@ std::string unanswered(std::span<const MetricExpression> expressions,
 std::string without_number(std::span<const MetricExpression> expressions,
                            std::span<const MetricValue> values);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

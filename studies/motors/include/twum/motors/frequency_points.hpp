@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// One quantity of a frequency response.
 struct FrequencyColumn {
@@ -32,4 +32,4 @@ std::string wave_text(const ResponsePoint& wave);
 /// or inertia sticks somewhere.
 std::string squeal_text(const ResponsePoint& wave);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

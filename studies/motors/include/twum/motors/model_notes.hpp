@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A reason to doubt the model for a valid motor.
 struct ModelNote {
@@ -39,4 +39,4 @@ std::string thick_layer_note(const MotorDesign& design);
 /// to which speed a backward wave grows (D6.7, D6.8).
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// Version of the file formats that this program reads and writes: `twum: 1`.
 inline constexpr int kFileVersion = 1;
@@ -50,4 +50,4 @@ MotorFile read_motor(const Source& source);
 /// A motor as the text of a motor file, with SI values to the last digit. Of alternatives, the one in use is written.
 std::string motor_text(const MotorFile& motor);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

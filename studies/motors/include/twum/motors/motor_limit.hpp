@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A limit on a quantity of a motor: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length", "145 rpm <=
 /// no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
@@ -41,4 +41,4 @@ MotorLimit parse_limit(std::string_view text);
 /// @throws ValueError with what was found and what would be right
 MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A named set of parameters, such as those of one lining.
 struct ParameterSet {
@@ -28,4 +28,4 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape();
 /// @throws FileError with everything that is wrong in it; also for a file without parameters.
 std::vector<ParameterValue> read_parameter_set(const Source& source);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A reason for a missing answer, and what it means.
 struct Reason {
@@ -18,4 +18,4 @@ struct Reason {
 /// Every reason, in the order of MetricStatus. Terminal, page and guide use the same words. Static lifetime.
 std::span<const Reason> reasons();
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// The parameter with a name or symbol.
 /// @throws ValueError with the nearest names if there is none.
@@ -37,4 +37,4 @@ ParameterValue parse_setting(std::string_view text);
 /// @throws InputError with everything that is wrong, one line each.
 MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

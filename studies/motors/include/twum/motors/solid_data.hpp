@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// What a motor takes from its stator as a solid, and of which stator.
 struct SolidData {
@@ -38,4 +38,4 @@ std::vector<std::string> changes_since(const SolidData& data, const MotorDesign&
 /// A design with these data in place of its geometry.
 MotorDesign with_solid(MotorDesign design, const SolidData& data);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A statistic of the motors built to a design: "mean(peak_power)", "sd(no_load_speed)", "quantile(stall_torque, 5
 /// %)", "probability(no_load_speed >= 100 rpm)", "yield".
@@ -47,4 +47,4 @@ StatisticRequest parse_statistic(std::string_view text);
 /// @throws ValueError as parse_statistic()
 StatisticLimit parse_statistic_limit(std::string_view text);
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twum::motors {
+namespace twum::inline v0_1::motors {
 
 /// A parameter that follows from others, such as contact_width from "0.15 * contact_radius".
 struct DerivedParameter {
@@ -80,4 +80,4 @@ class VariedParameters {
   bool fixed_static_friction_{false};
 };
 
-}  // namespace twum::motors
+}  // namespace twum::inline v0_1::motors
