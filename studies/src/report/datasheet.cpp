@@ -17,6 +17,8 @@
 namespace twum::inline v0_1::studies {
 namespace {
 
+constexpr double kThird = 300;  // of the sheet, on which three charts stand side by side [pixels]
+
 // Hash of the motor, independent of the format of its file.
 std::string motor_hash(const MotorFile& motor) {
   std::array<char, 20> text{};
@@ -41,7 +43,7 @@ std::string datasheet_html(const MotorFile& file, const DatasheetOptions& option
       assets::datasheet_page(), "<!--SHEET-->",
       "<title>" + name + " - data sheet</title>\n</head>\n<body>\n<main>\n<header>\n<h1>" + name +
           "</h1>\n<p>" + html(motor_phrase(file.design)) + "</p>\n</header>\n" +
-          html(sheet_sections(Motor(file.design), options.rated_speed), "h2") + "<footer>" +
+          html(sheet_sections(Motor(file.design), options.rated_speed), "h2", kThird) + "<footer>" +
           harmless(provenance(file, options.source)) + "</footer>\n</main>\n</body>\n");
 }
 

@@ -58,8 +58,7 @@ bool is_drawn(const Chart& chart) {
          });
 }
 
-// Widths of charts, of which two or three stand side by side [pixels].
-constexpr double kHalf = 460, kThird = 300;
+constexpr double kAlone = 460;  // width of a chart [pixels]
 
 // Panels of a matrix are too many and too small.
 bool has_charts(const Section& section) {
@@ -106,7 +105,7 @@ std::string html(const Headline& headline) {
          bullets(headline.remarks);
 }
 
-std::string html(const std::vector<Section>& sections, const std::string& heading) {
+std::string html(const std::vector<Section>& sections, const std::string& heading, double several) {
   std::string text;
   for (const Section& section : sections) {
     if (is_picture(section) && !has_charts(section)) continue;
@@ -114,7 +113,7 @@ std::string html(const std::vector<Section>& sections, const std::string& headin
     text += element(heading, html(capitalized(section.heading)));
     if (!section.note.empty()) text += element("p", html(capitalized(section.note)));
     for (std::size_t i = 0; has_charts(section) && i < section.charts.size(); ++i)
-      text += html(section.charts[i], section.charts.size() > 2 ? kThird : kHalf);
+      text += html(section.charts[i], section.charts.size() > 1 ? several : kAlone);
     text += paragraphs(section.sentences) + bullets(section.remarks);
     for (const Table& table : section.tables) text += html(table);
     text += "</section>\n";

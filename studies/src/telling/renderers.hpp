@@ -33,7 +33,10 @@ std::string markdown(const std::vector<Section>& sections);
 std::string html(const Phrase& phrase);
 std::string html(const Table& table);
 std::string html(const Headline& headline);
-std::string html(const std::vector<Section>& sections, const std::string& heading = "h4");
+/// @param heading  its element
+/// @param several  width of each of several charts [pixels]
+std::string html(const std::vector<Section>& sections, const std::string& heading = "h4",
+                 double several = 460);
 /// @}
 
 /// What studies/page/telling.js draws.
