@@ -75,7 +75,15 @@ function smallPlot(shape, lastSpeed, torque, width) {
   const frame =
       {d: 'M' + pad + ' 8V' + up(0) + 'H' + (width - 14), fill: 'none', stroke: 'currentColor', 'stroke-opacity': 0.4};
   return svg(
-      'svg', {width, height, role: 'img', 'aria-label': 'torque-speed curve of this design'}, svg('path', frame),
+      'svg', {
+        width,
+        height,
+        viewBox: '0 0 ' + width + ' ' + height,
+        style: 'max-width: 100%',
+        role: 'img',
+        'aria-label': 'torque-speed curve of this design'
+      },
+      svg('path', frame),
       svg('path', {d: Array.from(shape, step).join(''), fill: 'none', stroke: colour('c0'), 'stroke-width': 2}),
       word(rounded((first * torque) / unit.divisor, 3) + ' ' + unit.text, {x: pad + 6, y: up(first) - 6}),
       word(

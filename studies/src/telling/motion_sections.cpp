@@ -104,7 +104,7 @@ constexpr Course kSpeed{"speed", "speed", "rad/s", [](const MotionSample& s) { r
 constexpr Course kCourses[] = {
     {"angle", "angle", "rad", [](const MotionSample& s) { return s.angle; }},
     {"amplitude", "amplitude of the wave", "m", [](const MotionSample& s) { return s.amplitude; }},
-    {"backward_amplitude", "amplitude of the backward wave", "m",
+    {"backward_amplitude", "backward amplitude", "m",
      [](const MotionSample& s) { return s.backward_amplitude; }},
     {"torque", "torque of the contact", "N.m", [](const MotionSample& s) { return s.torque; }},
     {"voltage", "voltage at a phase", "V", [](const MotionSample& s) { return s.voltage; }},
