@@ -54,7 +54,10 @@ RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
   if (with_dead)
     for (const CurveNode& wave : at_rest.held())
       if (wave.rise > 0) trace(wave, 0);
-  if (!largest_runs || ends_in_gap()) only ? trace_waves_of(line(*only), *only) : search();
+  if (!largest_runs || ends_in_gap()) {
+    if (!only) search();
+    if (only && *only <= fastest_) trace_waves_of(line(*only), *only);
+  }
   list_nodes();
 }
 

@@ -37,6 +37,7 @@ void add_limits(KktPoint& point, const Session& session, const Scaling& scaling,
   if (std::isfinite(c.upper)) add(Side::upper, c.upper, s * (value - c.upper));
 }
 
+// A limit that is not active enters no condition, so that its derivative need not exist.
 void flatten_inactive(KktPoint& point, std::size_t objectives) {
   std::vector<bool> inactive(static_cast<std::size_t>(point.jacobian.rows()) - objectives, true);
   for (const Limit& limit : point.limits)

@@ -20,16 +20,16 @@ struct Limit {
       0.0};  ///< how far along its inward gradient the value has to move to be on the limit, scaled
 };
 
-inline constexpr double kActivity =
-    1e-6;  ///< scaled slack of an active limit; then its complementarity is checked
+/// Scaled slack of an active limit; then its complementarity is checked.
+inline constexpr double kActivity = 1e-6;
 
 /// First-order data of one design in the unit box, scaled, with minimized objectives.
 struct KktPoint {
   std::vector<double> design;
   std::vector<double> unit;
   Evaluation evaluation;
-  Eigen::MatrixXd
-      jacobian;  ///< responses x free variables; limits that are not active count as flat where they have no derivative
+  /// responses x free variables; a limit that is not active counts as flat where it has no derivative
+  Eigen::MatrixXd jacobian;
   std::vector<Limit> limits;
   double infeasibility{0.0};  ///< largest excess, scaled
   double violation{

@@ -41,7 +41,7 @@ class Collector {
       found_.push_back(own);
     else if ((*same)->unit != own->unit)
       throw InputError(quoted(own->name) + ": two metrics of this name, one in " + (*same)->unit +
-                       ", one in " + own->unit + "; name one of them otherwise");
+                       ", one in " + own->unit + "; give one of them another name");
   }
 
   OwnMetrics found_;

@@ -143,11 +143,11 @@ CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& m
                                                             bool gradient) const {
   Numbers numbers = values_of(motor, evaluator_, gradient);
   const bool lacks = lacks_values(numbers);
-  const bool asked =
+  const bool wanted =
       lacks ? gradient : running_ == RunningReserves::computed && !has_dear_reserve(motor);
   Numbers reserves(responses_.size() - metrics_);
   for (MetricDerivative& one : reserves) one.value.value = kSomeReserve;
-  if (!reserves.empty() && asked) {
+  if (!reserves.empty() && wanted) {
     Numbers found = values_of(motor, reserves_, gradient);
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k].value.status == MetricStatus::ok && found[k].value.value < kSomeReserve)

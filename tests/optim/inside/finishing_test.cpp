@@ -3,12 +3,16 @@
 #include "certificate/certify.hpp"
 #include "certificate/nnls.hpp"
 #include "polished_stage.hpp"
+#include "problem/nlp.hpp"
 
 #include "optim/bank/posed.hpp"
+
+#include <twum/optim/certify.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace twum;
@@ -24,6 +28,21 @@ Problem bowl() {
   return test::posed<2>(test::box(2, -3.0, 3.0, {2.0, 2.5}), {}, [](const D* x, D* r) {
     r[0] = (x[0] - 1.0) * (x[0] - 1.0) + 2.0 * (x[1] - 0.5) * (x[1] - 0.5) + 1.0;
   });
+}
+
+// Least distance from (2, 1) with x <= 1, where the slope of 1 + sqrt |1 - x| <= most does not exist. The best design is (1, 1).
+Problem distance_beside_a_cusp(double most) {
+  Problem p;
+  p.variables = {{"x", -2.0, 3.0, 1.0}, {"y", -3.0, 3.0, 0.0}};
+  p.objectives = {{"f"}};
+  p.constraints = {{"x", -kInfinity, 1.0}, {"cusp", -kInfinity, most}};
+  p.evaluate = [](std::span<const double> z, bool) {
+    const double x = z[0] - 2, y = z[1] - 1, root = std::sqrt(std::fabs(1 - z[0]));
+    const double slope =
+        root > 0 ? std::copysign(0.5 / root, z[0] - 1) : std::numeric_limits<double>::quiet_NaN();
+    return Evaluation{{x * x + y * y, z[0], 1 + root}, {2 * x, 2 * y, 1, 0, slope, 0}, {}, {}};
+  };
+  return p;
 }
 
 // Nobody can do better: no column outside the solution pulls, and none inside.
@@ -217,4 +236,25 @@ TEST_CASE("a polished design of a front lies on it", "[optim][polish][pareto][cl
   }
   CHECK(mended >= 6);
   CHECK(refused >= 6);
+}
+
+TEST_CASE("a limit that is kept needs no derivative, one that binds does",
+          "[optim][certificate][polish]") {
+  const Problem kept = distance_beside_a_cusp(3.0), binds = distance_beside_a_cusp(1.0);
+  const Design start{1.0, 0.95}, best{1.0, 1.0};
+  test::Stage stage(kept), other(binds);
+  const Scaling scaling(kept);
+  Nlp nlp(stage.session, scaling, plain_formulation(kept, scaling)),
+      bound(other.session, scaling, plain_formulation(binds, scaling));
+  const std::vector<double> at = scaling.to_unit(start);
+  REQUIRE(nlp.at(at, true) != nullptr);
+  CHECK(nlp.at(at, true)->dc[2] == 0.0);
+  CHECK(bound.at(at, true) == nullptr);
+  const auto polished = stage.polished(start);
+  REQUIRE(polished);
+  // Newton's step is exact for a quadratic but for the curvature from differences, 1e-9.
+  CHECK((*polished)[1] == Approx(1.0).epsilon(1e-8));
+  CHECK_FALSE(other.polished(start));
+  CHECK(certify(kept, best).passed);
+  CHECK(certify(binds, best).reason == "a derivative does not exist");
 }

@@ -42,7 +42,7 @@ StudyFile read_study_file(const std::string& path, std::span<const std::string> 
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings = {});
 
-/// The metrics of the program that a study asks for, each name once.
+/// The metrics of the program that a study asks for, each name once: a name stands for one function.
 /// @throws InputError if two of one name have different units
 OwnMetrics own_metrics(const Study& study);
 
