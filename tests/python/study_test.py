@@ -78,6 +78,10 @@ class Study(unittest.TestCase):
         with self.assertRaises(KeyError):
             twum.run({**OPTIMIZE, "minimize": "broken", "solver": "nlopt:sbplx"}, motor=RING, metrics={"broken": broken})
 
+        misspelt = twum.OwnMetric(lambda motor: motor.preload / 100, lambda motor: {"prelod": 0.01})
+        with self.assertRaisesRegex(ValueError, "unknown parameter 'prelod'; did you mean 'preload'"):
+            twum.run({**OPTIMIZE, "minimize": "cost"}, motor=RING, metrics={"cost": misspelt})
+
         def none(motor):
             raise twum.EvaluationError("not for sale")
 

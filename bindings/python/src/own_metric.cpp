@@ -36,11 +36,19 @@ auto asked(const py::object& function, const std::string& name, const Motor& mot
   }
 }
 
+// A wrong name is a fault of the program. As an InputError it would count as a design that is no motor.
+Parameter named(const std::string& parameter) {
+  try {
+    return studies::parse_parameter(parameter);
+  } catch (const InputError& error) {
+    throw py::value_error("a gradient: " + std::string(error.what()));
+  }
+}
+
 std::array<double, kParameterCount> to_gradient(const py::object& answer) {
   std::array<double, kParameterCount> gradient{};
   for (const auto& [parameter, slope] : py::cast<py::dict>(answer))
-    gradient[index_of(studies::parse_parameter(py::cast<std::string>(parameter)))] =
-        py::cast<double>(slope);
+    gradient[index_of(named(py::cast<std::string>(parameter)))] = py::cast<double>(slope);
   return gradient;
 }
 
