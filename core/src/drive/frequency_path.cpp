@@ -12,7 +12,6 @@ namespace {
 constexpr int kNodesOfFlank = 80;
 constexpr double kScanRatio = 1.25;                        // of amplitudes on the backbone
 constexpr double kSmallestWave = 1e-30, kLargestWave = 1;  // [m]
-constexpr int kHalvings = 40;  // of a step of the path, for a loss of stability
 
 }  // namespace
 
@@ -161,7 +160,8 @@ void FrequencyPath::follow(std::size_t index) {
       finish();
       continue;
     }
-    wave->stable = held_.lasts(*wave);
+    wave->margin = held_.margin(*wave);
+    wave->stable = wave->margin > 0;
     run.push_back(*wave);
   }
   finish();
@@ -195,19 +195,21 @@ std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const Re
   }
 }
 
-// The last stable wave between a stable and an unstable one.
-ResponseWave FrequencyPath::last_stable(const Stretch& stretch, ResponseWave a,
-                                        ResponseWave b) const {
-  if (!a.stable) std::swap(a, b);
+// The last stable wave between a stable and an unstable one: the search for the change of sign stays between the last of each.
+ResponseWave FrequencyPath::last_stable(const Stretch& stretch, const ResponseWave& a,
+                                        const ResponseWave& b) const {
+  ResponseWave last = a.stable ? a : b;
+  const auto margin_at = [&](double place) {
+    const ResponseWave wave = surely_between(stretch, a, b, place);
+    const double margin = held_.margin(wave);
+    if (margin > 0) last = wave;
+    return margin;
+  };
   try {
-    for (int i = 0; i < kHalvings; ++i) {
-      ResponseWave middle = surely_between(stretch, a, b, 0.5 * (a.place + b.place));
-      middle.stable = held_.lasts(middle);
-      (middle.stable ? a : b) = middle;
-    }
+    closed_in("a loss of stability", margin_at, {a.place, b.place, a.margin, b.margin});
   } catch (const NoWave&) {  // then it stays less accurate
   }
-  return a;
+  return last;
 }
 
 // The nodes with the waves added at which the frequency turns back or stability is lost.
@@ -253,7 +255,7 @@ void FrequencyPath::cut(const Vector<Node>& nodes, std::size_t stretch) {
     } else if (const auto middle =
                    between(stretches_[stretch], piece.waves.front(), piece.waves.back(),
                            0.5 * (piece.waves.front().place + piece.waves.back().place))) {
-      piece.stable = held_.lasts(*middle);
+      piece.stable = held_.margin(*middle) > 0;
     }
     for (ResponseWave& wave : piece.waves) wave.stable = piece.stable;
     pieces_.push_back(std::move(piece));

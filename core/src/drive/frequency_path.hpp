@@ -55,7 +55,8 @@ class FrequencyPath {
                               double place) const;
   std::optional<ResponseWave> turn(const Stretch& stretch, const ResponseWave& a,
                                    const ResponseWave& b, const ResponseWave& c) const;
-  ResponseWave last_stable(const Stretch& stretch, ResponseWave a, ResponseWave b) const;
+  ResponseWave last_stable(const Stretch& stretch, const ResponseWave& a,
+                           const ResponseWave& b) const;
 
   double excess(const ResponseWave& on_backbone) const;
   Vector<Stretch> stretches() const;

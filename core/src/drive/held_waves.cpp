@@ -189,14 +189,17 @@ std::optional<ResponseWave> HeldWaves::solve_by_secants(double amplitude, double
   return {};
 }
 
-// (D2.6), and with a torque given (D5.4).
-bool HeldWaves::lasts(const ResponseWave& wave) const {
+// The least of the conditions (D2.6), in periods of the drive, and with a torque given of (D5.4).
+double HeldWaves::margin(const ResponseWave& wave) const {
   const DrivenWaves waves = waves_.at_frequency(wave.omega);
-  const bool loaded = load_.given == Argument::torque && !wave.standing;
-  if (!loaded)
-    return waves.stability(waves.in_amplitude(wave.amplitude, wave.speed, &wave.start)).stable();
   const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);
-  return waves.stability(s.in_amplitude).stable() && s.torque_per_speed < 0;
+  if (s.in_amplitude.wave.status != PointStatus::ok) return -1;
+  const Stability flow = waves.stability(s.in_amplitude);
+  const double own =
+      std::fmin(flow.determinant / (wave.omega * wave.omega), -flow.trace / wave.omega);
+  const bool loaded = load_.given == Argument::torque && !wave.standing;
+  const double braking = -s.torque_per_speed * waves.crest_speed_per_amplitude() / waves.drive();
+  return loaded ? std::fmin(own, braking) : own;
 }
 
 // A Newton step for H = Theta u_0 and, if a torque is given, for that torque, at a fixed frequency. Broyden steps

@@ -22,6 +22,7 @@ struct ResponseWave {
   double resistive_force{0};  ///< I (D2.3) [N]
   double torque_slope{0};     ///< of the torque over the speed ratio, 0 if not known [N m]
   WarmStart start;
+  double margin{0};  ///< of its stability: positive where it is stable
 
   double frequency() const { return omega / (2 * std::numbers::pi); }
 };
@@ -49,8 +50,8 @@ class HeldWaves {
   std::optional<ResponseWave> held(double amplitude, double side, const Guess& guess) const;
   /// The wave of a frequency, from one nearby.
   std::optional<ResponseWave> solve_to_rounding(ResponseWave near) const;
-  /// True if the wave and the rotor return after a disturbance.
-  bool lasts(const ResponseWave& wave) const;
+  /// Positive if the wave and the rotor return after a disturbance; continuous along a path.
+  double margin(const ResponseWave& wave) const;
   Guess guess_of(const ResponseWave& wave) const;
   const DrivenWaves& waves() const { return waves_; }
 
