@@ -9,9 +9,6 @@
 namespace twum::inline v0_1::core {
 namespace {
 
-// Amplitudes beyond those of any motor [m]: where the bounds are infinite, without damping or preload.
-constexpr double kLargest = 1, kSmallest = 1e-30;
-
 // Beyond the backbone, where R stays negative, both |R| and I grow.
 double highest_extremum(const DrivenWaves& waves) {
   const double softness = -waves.dynamic_stiffness();
@@ -19,7 +16,8 @@ double highest_extremum(const DrivenWaves& waves) {
 }
 
 double highest(const DrivenWaves& waves) {
-  return std::fmin(std::fmax(highest_extremum(waves), largest_amplitude(waves)), kLargest);
+  return std::fmin(std::fmax(highest_extremum(waves), largest_amplitude(waves)),
+                   kRules.largest_amplitude);
 }
 
 // At rest H is proportional to the amplitude as long as the contact sticks all round (C20.3): to the largest such amplitude, but for
@@ -37,7 +35,7 @@ double last_locked(const DrivenWaves& waves, double low, double high) {
 double lowest(const DrivenWaves& waves, double speed) {
   const double high = highest(waves), full = waves.full_contact_amplitude();
   const double bent = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
-  const double low = std::fmax(std::fmin(bent, 1e-3 * high), kSmallest);
+  const double low = std::fmax(std::fmin(bent, 1e-3 * high), kRules.smallest_amplitude);
   return speed == 0 && low < full ? last_locked(waves, low, std::fmin(full, high)) : low;
 }
 
@@ -111,7 +109,7 @@ double largest_amplitude(const DrivenWaves& w) {
   const double damped = (drive + w.traction_bound()) / (w.omega() * w.damping());
   const double stiff =
       (drive + w.pressure_bound() + w.traction_bound()) / std::fabs(w.dynamic_stiffness());
-  return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
+  return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kRules.largest_amplitude);
 }
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high, Jumps jumps)
@@ -247,7 +245,7 @@ void ForceLine::extend_below(double force) {
   while (!nodes_.empty() && nodes_.front().at.y > std::log(force)) {
     const double x = nodes_.front().at.x - std::log(10.0);
     const auto next = curve_.at_amplitude(x);
-    if (!next || x < std::log(kSmallest)) return;
+    if (!next || x < std::log(kRules.smallest_amplitude)) return;
     const double apart = std::hypot(nodes_.front().at.x - x, nodes_.front().at.y - next->at.y);
     nodes_.insert(nodes_.begin(), *next);
     nodes_.front().place = nodes_[1].place - apart;

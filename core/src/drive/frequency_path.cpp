@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/frequency_path.hpp"
+#include "drive/rules.hpp"
 
 #include <twum/base/scalar_search.hpp>
 
@@ -7,14 +8,6 @@
 #include <cmath>
 
 namespace twum::inline v0_1::core {
-namespace {
-
-constexpr int kNodesOfFlank = 80;
-constexpr double kScanRatio = 1.25;                        // of amplitudes on the backbone
-constexpr double kSmallestWave = 1e-30, kLargestWave = 1;  // [m]
-
-}  // namespace
-
 // Equal steps of the place are quadratic steps of the amplitude near the end where the flanks meet, because there the
 // frequency changes with the square root of the distance.
 double FrequencyPath::Stretch::amplitude(double place) const {
@@ -61,11 +54,12 @@ Vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
       std::fmax(std::fabs(at_low.dynamic_stiffness()), std::fabs(at_high.dynamic_stiffness()));
   const double damping = std::fmax(at_low.damping(), at_high.damping());
   const double steepest = stiff + highest_ * damping + 2 * held_.waves().contact_stiffness();
-  const double low = std::fmax(0.3 * held_.waves().drive() / (divider * steepest), kSmallestWave);
+  const double low =
+      std::fmax(0.3 * held_.waves().drive() / (divider * steepest), kRules.smallest_amplitude);
   const double drive = held_.waves().drive() / std::fmin(at_low.divider(), at_high.divider());
   const double high = std::fmin(
       1.01 * (drive + held_.waves().traction_bound()) / (lowest_ * held_.waves().modes().damping),
-      kLargestWave);
+      kRules.largest_amplitude);
   if (!(held_.waves().drive() > 0 && low < high)) return {};
   Vector<ResponseWave> scan;
   std::optional<ResponseWave> last;
@@ -75,7 +69,7 @@ Vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
     if (wave) last = wave;
     return wave;
   };
-  for (double a = low, before = 0; before < high; before = a, a *= kScanRatio)
+  for (double a = low, before = 0; before < high; before = a, a *= kResponseRules.scan)
     if (const auto wave = wave_near(std::fmin(a, high))) scan.push_back(*wave);
   with_islands(scan);
   return between_borders(scan);
@@ -134,16 +128,16 @@ void FrequencyPath::follow(std::size_t index) {
   const auto top = wave_at(stretch, 0, {held_.waves().omega(), 1});
   if (!top) return;
   resonances_.push_back(top->omega);
-  Vector<std::optional<ResponseWave>> waves(2 * kNodesOfFlank + 1);
+  Vector<std::optional<ResponseWave>> waves(2 * kResponseRules.flank_nodes + 1);
   const auto node = [&](int i) -> std::optional<ResponseWave>& {
-    return waves[static_cast<std::size_t>(i + kNodesOfFlank)];
+    return waves[static_cast<std::size_t>(i + kResponseRules.flank_nodes)];
   };
   node(0) = top;
   for (const int side : {-1, 1}) {
     HeldWaves::Guess guess = held_.guess_of(*top);
-    for (int i = 1; i <= kNodesOfFlank; ++i) {
+    for (int i = 1; i <= kResponseRules.flank_nodes; ++i) {
       auto& wave = node(side * i);
-      wave = wave_at(stretch, static_cast<double>(side * i) / kNodesOfFlank, guess);
+      wave = wave_at(stretch, static_cast<double>(side * i) / kResponseRules.flank_nodes, guess);
       if (!wave) continue;
       guess = held_.guess_of(*wave);
       // Beyond all resonances each frequency has one wave, so the path does not return into the range.

@@ -3,6 +3,7 @@
 
 #include "drive/drive.hpp"
 #include "drive/frequency_path.hpp"
+#include "drive/rules.hpp"
 #include "point/operating_point.hpp"
 
 #include <twum/base/error.hpp>
@@ -20,9 +21,6 @@ using core::PathPiece;
 using core::ResponseWave;
 
 constexpr double kTurnOfResponse = 2 * std::numbers::pi;
-constexpr double kMargin = 0.15;       // of the range of jumps and resonances, on both sides
-constexpr double kLeastMargin = 0.01;  // of the frequency
-constexpr int kMostJumps = 8;          // at one frequency
 
 void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
   const std::vector<std::string> wrong = complaints(design);
@@ -95,7 +93,8 @@ struct FrequencyResponse::Content {
       if (piece.first_end == BranchEndKind::fold) include(piece.waves.front().omega);
       if (piece.last_end == BranchEndKind::fold) include(piece.waves.back().omega);
     }
-    const double margin = std::fmax(kMargin * (to - from), kLeastMargin * waves.omega());
+    const double margin = std::fmax(core::kResponseRules.margin * (to - from),
+                                    core::kResponseRules.least_margin * waves.omega());
     from = std::fmax(from - margin, bounds.first), to = std::fmin(to + margin, bounds.second);
   }
 
@@ -224,7 +223,7 @@ FrequencySweep FrequencyResponse::sweep(std::span<const double> frequencies) con
   const PathPiece* piece = nullptr;
   for (const double frequency : frequencies) {
     const double omega = kTurnOfResponse * frequency;
-    for (int i = 0; piece && !piece->covers(omega) && i < kMostJumps; ++i) {
+    for (int i = 0; piece && !piece->covers(omega) && i < core::kResponseRules.most_jumps; ++i) {
       const bool front = (piece->waves.front().omega > piece->waves.back().omega) == up;
       const ResponseWave& end = front ? piece->waves.front() : piece->waves.back();
       const auto next = content_->landing(piece, end);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/held_waves.hpp"
+#include "drive/rules.hpp"
 
 #include "drive/learned_slopes.hpp"
 
@@ -9,24 +10,6 @@
 
 namespace twum::inline v0_1::core {
 namespace {
-
-constexpr double kSettledSquare = 1e-14;  // of omega^2
-constexpr double kSettledRatio = 1e-12;   // of the speed ratio
-constexpr int kMostBroydens = 12;
-constexpr double kNearRatio = 0.05,
-                 kNearShare = 0.3;   // of the speed ratio; a solution farther away is another wave
-constexpr double kLeastSlope = 0.1;  // of that nearby
-constexpr double kSlopeStep = 1e-5;  // of the speed ratio
-constexpr int kMostPicards = 40;
-constexpr double kFarWindow = 0.02, kNearWindow = 1e-3;  // of the speed ratio
-// range and step of the speed ratios searched for a load
-constexpr double kFastestSought = 1.5, kSoughtStep = 0.05;
-constexpr double kFastestBack = 1e3;  // for very small waves, any load turns the rotor back fast
-// of the amplitude; the error left by a step is a share of the step
-constexpr double kNearRoot = 1e-10;
-constexpr int kMostPolishes = 12;
-// of mu_0 F_N r; a larger residual means a jump instead of a root
-constexpr double kTorqueKept = 1e-9;
 
 // R of the flank on a side (D5.1).
 double wanted_force(const DrivenWaves& waves, const DrivenWave& wave, double side) {
@@ -55,19 +38,19 @@ std::optional<HeldWaves::Carried> HeldWaves::at_torque(const DrivenWaves& waves,
     double at_low = 0, at_high = 0;
     const bool near = low > 0 && (at_low = excess(low)) > 0 && (at_high = excess(high)) < 0;
     if (!near) {
-      high = kFastestSought, at_high = excess(high);
+      high = kResponseRules.fastest_sought, at_high = excess(high);
       if (at_high > 0) return {};
       low = high;
-      for (double step = kSoughtStep; true; high = low, at_high = at_low) {
+      for (double step = kResponseRules.sought_step; true; high = low, at_high = at_low) {
         low = low > 0 ? std::fmax(low - step, 0) : low - (step *= 2);
-        if (low < -kFastestBack) return {};
+        if (low < -kResponseRules.fastest_back) return {};
         if ((at_low = excess(low)) > 0) break;
         if (low == 0 && stands(amplitude, last.torque)) return Carried{last, true};
       }
     }
     const double ratio =
         closed_in("the speed at a torque", excess, {low, high, at_low, at_high}).nearest();
-    if (std::fabs(excess(ratio)) > kTorqueKept * waves.traction_bound()) return {};
+    if (std::fabs(excess(ratio)) > kResponseRules.torque_kept * waves.traction_bound()) return {};
     return Carried{last, false};
   } catch (const NoWave&) {
     return {};
@@ -104,7 +87,8 @@ std::optional<ResponseWave> HeldWaves::solve_by_newton(double amplitude, double 
   if (waves_.has_static_excess() || guess.start == nullptr || (loaded && !(guess.torque_slope < 0)))
     return {};
   const double inertia = waves_.modes().mass * amplitude * guess.omega * guess.omega,
-               near = kNearRatio + kNearShare * std::fabs(guess.speed_ratio);
+               near = kResponseRules.near_ratio +
+                      kResponseRules.near_share * std::fabs(guess.speed_ratio);
   ResponseWave wave;
   wave.amplitude = amplitude, wave.standing = guess.standing, wave.start = *guess.start;
   double torque = 0;
@@ -125,9 +109,10 @@ std::optional<ResponseWave> HeldWaves::solve_by_newton(double amplitude, double 
   Pair x{1, guess.speed_ratio};
   LearnedSlopes slopes;
   auto f = residuals(x);
-  for (int i = 0; f && i < kMostBroydens; ++i) {
-    if (std::fabs((*f)[0]) <= kSettledSquare && std::fabs((*f)[1]) <= kSettledRatio) {
-      if (slopes.second() < kLeastSlope) return {};
+  for (int i = 0; f && i < kResponseRules.most_broydens; ++i) {
+    if (std::fabs((*f)[0]) <= kResponseRules.settled_square &&
+        std::fabs((*f)[1]) <= kResponseRules.settled_ratio) {
+      if (slopes.second() < kResponseRules.least_slope) return {};
       if (wave.standing && !stands(amplitude, torque)) return {};
       wave.torque_slope = guess.torque_slope * slopes.second();
       return wave;
@@ -150,8 +135,11 @@ bool HeldWaves::stands(double amplitude, double torque_beyond_rest) const {
 
 double HeldWaves::torque_slope(const DrivenWaves& waves, const DrivenWave& wave) const {
   const double crest = waves.crest_speed_per_amplitude() * wave.amplitude;
-  const DrivenWave faster = waves.at(wave.amplitude, wave.speed + kSlopeStep * crest, &wave.start);
-  return faster.status == PointStatus::ok ? (faster.torque - wave.torque) / kSlopeStep : 0;
+  const DrivenWave faster =
+      waves.at(wave.amplitude, wave.speed + kResponseRules.slope_step * crest, &wave.start);
+  return faster.status == PointStatus::ok
+             ? (faster.torque - wave.torque) / kResponseRules.slope_step
+             : 0;
 }
 
 // Solves (D5.1) for omega^2 by secants that start as Picard steps, since the contact hardly depends on it. Each step
@@ -160,16 +148,17 @@ std::optional<ResponseWave> HeldWaves::solve_by_secants(double amplitude, double
                                                         const Guess& guess) const {
   const double inertia = waves_.modes().mass * amplitude;
   double square = guess.omega * guess.omega, before = 0, step_before = 0, ratio = guess.speed_ratio;
-  for (int i = 0; i < kMostPicards; ++i) {
+  for (int i = 0; i < kResponseRules.most_secants; ++i) {
     const double omega = std::sqrt(square);
     const DrivenWaves waves = waves_.at_frequency(omega);
-    const auto found = carried(waves, amplitude, ratio, i == 0 ? kFarWindow : kNearWindow);
+    const auto found = carried(waves, amplitude, ratio,
+                               i == 0 ? kResponseRules.far_window : kResponseRules.near_window);
     if (!found) return {};
     const WaveBalance<double>& b = found->wave.balance;
     const double step =
         (b.real - wanted_force(waves, found->wave, side)) / (inertia * waves.divider());
     ratio = found->wave.speed / (waves.crest_speed_per_amplitude() * amplitude);
-    if (std::fabs(step) <= kSettledSquare * square) {
+    if (std::fabs(step) <= kResponseRules.settled_square * square) {
       const bool sloped = load_.given == Argument::torque && !found->standing;
       return ResponseWave{0,
                           omega,
@@ -219,12 +208,13 @@ std::optional<ResponseWave> HeldWaves::solve_to_rounding(ResponseWave wave) cons
   DrivenWave found = a.wave;
   LearnedSlopes slopes;
   Pair f = newton(found);
-  for (int i = 0; i < kMostPolishes && found.status == PointStatus::ok; ++i) {
+  for (int i = 0; i < kResponseRules.most_polishes && found.status == PointStatus::ok; ++i) {
     const Pair step = slopes.step(f);
     wave.amplitude += step[0], wave.speed += step[1], wave.start = found.start;
     if (!(std::fabs(step[0]) < 0.1 * wave.amplitude)) return {};
     const double crest = waves.crest_speed_per_amplitude() * wave.amplitude;
-    if (std::fabs(step[0]) <= kNearRoot * wave.amplitude && std::fabs(step[1]) <= kNearRoot * crest)
+    if (std::fabs(step[0]) <= kResponseRules.near_root * wave.amplitude &&
+        std::fabs(step[1]) <= kResponseRules.near_root * crest)
       return wave;
     found = waves.at(wave.amplitude, wave.speed, &wave.start);
     const Pair next = newton(found);

@@ -137,10 +137,51 @@ struct ContinuationRules {
   std::size_t most_pieces = 100;
   /// Largest speed, in crest speeds of the largest wave: no motor drives itself beyond.
   double fastest = 1.3;
+  /// Amplitudes beyond those of any motor [m]: where the bounds are infinite, without damping or preload.
+  double largest_amplitude = 1, smallest_amplitude = 1e-30;
   /// Speeds up to there at which waves are searched if none runs at rest. An island between two of them shows by the minimum
   /// of H between them.
   int speeds = 32;
 };
 inline constexpr ContinuationRules kRules{};
+
+/// Every constant of the waves over the drive frequency, whose path is followed over the amplitude (D5.1). Its nodes are neighbours in
+/// amplitude and frequency, so that each starts from the one before.
+struct ResponseRules {
+  /// Waves of a flank. One is sought between two neighbours, which are near enough to start from.
+  int flank_nodes = 80;
+  /// Factor from amplitude to amplitude where the drive's force is compared with the least that holds a wave.
+  double scan = 1.25;
+  /// Last step of omega^2 and of the speed ratio, in parts of themselves.
+  double settled_square = 1e-14, settled_ratio = 1e-12;
+  /// Steps with learned slopes towards a wave: five are usual.
+  int most_broydens = 12;
+  /// Of the speed ratio: what is farther away from the guess than the sum of the first and a share of the guess is another wave.
+  double near_ratio = 0.05, near_share = 0.3;
+  /// Share of the guess's slope of the torque below which the torque is about to fold.
+  double least_slope = 0.1;
+  /// Of the speed ratio, for a difference that only begins a search.
+  double slope_step = 1e-5;
+  /// Secants over the frequency where no wave nearby is known. They converge like Newton's method.
+  int most_secants = 40;
+  /// Of the speed ratio: where the speed is sought first, about a guess and about the last secant's.
+  double far_window = 0.02, near_window = 1e-3;
+  /// Speed ratio above which no contact drives, and the step from there down.
+  double fastest_sought = 1.5, sought_step = 0.05;
+  /// The same backwards: any load turns the rotor back fast under a very small wave.
+  double fastest_back = 1e3;
+  /// Of the amplitude: a step of which an error remains that is a share of it, with slopes that are right at its begin.
+  double near_root = 1e-10;
+  /// Steps of the last digits of a wave; three are usual.
+  int most_polishes = 12;
+  /// Of mu_0 F_N r: a larger residual of the torque is a jump.
+  double torque_kept = 1e-9;
+  /// Of the range of jumps and resonances, on both sides: how much of a response is shown where no range is given, and the least of it
+  /// in parts of the frequency.
+  double margin = 0.15, least_margin = 0.01;
+  /// Jumps at one frequency: each ends on another piece, and a motor has few.
+  int most_jumps = 8;
+};
+inline constexpr ResponseRules kResponseRules{};
 
 }  // namespace twum::inline v0_1::core
