@@ -20,6 +20,11 @@ constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
 constexpr double kSlow = 0.5;  // the same at which a state is off by no more than twice its gap
 constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
+constexpr int kSteadyDrift = 4;  // laps that drift alike before one leaps over laps
+constexpr double kAlike = 0.02;  // of a lap's drift: how it may differ from the last one's
+constexpr double kSlowDrift =
+    1e-5;  // of the layer's swing: what a lap may drift, so that leaps end where laps would
+constexpr double kLeap = 0.2;        // of the drift: how it may change over a leap
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
 class Search {
@@ -145,6 +150,7 @@ class Search {
       if (follow()) return;
     }
     if (newton_may_help() && newton()) return;
+    if (drifts_alike() && leap()) return;
     turn(s_.lap.next);
   }
 
@@ -263,6 +269,35 @@ class Search {
     return false;
   }
 
+  LayerState<double> drift() const { return difference(s_.lap.next.layer, s_.entry.layer); }
+
+  // Where a periodic state has just ceased to be, laps pass by it in ever smaller steps, and those towards one that is about to cease
+  // come to it in such. A layer that sticks in each lap drifts along a line.
+  bool drifts_alike() const {
+    if (monotone_ || !sticks() || s_.laps < leap_from_ || history_.repeats < kSteadyDrift)
+      return false;
+    const LayerState<double> before = difference(history_.before.out, history_.before.in);
+    return history_.gap <= kSlowDrift * n_.threshold * swing_ &&
+           distance(layer_, drift(), before) <= kAlike * history_.gap;
+  }
+
+  // Leaps over as many laps of the same zones as change their drift by a small share of it: on the line along which the layer drifts
+  // it passes by no state. False if the drift beyond is another one: then nothing has happened.
+  bool leap() {
+    const Standing from = standing();
+    const LayerState<double> step = drift();
+    const double change = std::fabs(history_.progress - 1);
+    const double laps = std::floor(std::min(kLeap / change, static_cast<double>(kMaxLaps)));
+    LapEntry<double> entry = from.lap.next;
+    entry.layer = {entry.layer.e + laps * step.e, entry.layer.rate + laps * step.rate};
+    turn(entry);
+    leap_from_ = s_.laps + 2;  // the next lap tells the drift anew
+    const bool kept = s_.lap.status == LapStatus::ok && s_.lap.itinerary == from.lap.itinerary &&
+                      distance(layer_, drift(), step) <= 2 * kLeap * from.history.gap;
+    if (!kept) go_back(from), leap_from_ = 2 * s_.laps;
+    return kept;
+  }
+
   // With mu_0 > mu the laps may end in a cycle of several: the state comes back to a checkpoint, set at
   // laps 8, 16, 32, ..., while it does not repeat itself from lap to lap. As many laps as may be made would not
   // close the gap between two laps, were each to bring as much as the whole cycle has.
@@ -304,7 +339,7 @@ class Search {
   double swing_;   // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;
-  int patience_{4}, follow_from_{0}, checked_{0};
+  int patience_{4}, follow_from_{0}, leap_from_{0}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
 };
 

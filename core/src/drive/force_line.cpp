@@ -222,15 +222,27 @@ void ForceLine::push_jump(CurveNode next) {
   nodes_.push_back(std::move(next));
 }
 
+// The same of a sample and the edge of a range without a periodic state. Where a state ends at a fold of its own, H goes on like the
+// root of the distance, by twice what its slope tells.
+bool ForceLine::may_hold_towards(const CurveNode& a, double edge) const {
+  const double apart = std::fabs(edge - a.at.x);
+  const double reach = (kRules.towards_edge * std::fabs(a.rise) + kRules.bend * apart) * apart;
+  return std::fabs(std::log(waves_.drive()) - a.at.y) < reach;
+}
+
 // Halves towards both ends of a range of amplitudes without a periodic state, of which one is known.
 void ForceLine::pass_gap(CurveNode next, double inside, Jumps jumps) {
-  for (double end = inside; end - nodes_.back().at.x > kRules.kink;) {
+  const auto is_wide = [&](const CurveNode& sample, double edge) {
+    const bool met = jumps == Jumps::all || may_hold_towards(sample, edge);
+    return met && std::fabs(edge - sample.at.x) > kRules.kink;
+  };
+  for (double end = inside; is_wide(nodes_.back(), end);) {
     const double x = 0.5 * (nodes_.back().at.x + end);
     auto n = curve_.at_amplitude(x);
     n ? append(std::move(*n), jumps) : void(end = x);
   }
   Vector<CurveNode> beyond{std::move(next)};
-  for (double end = inside; beyond.back().at.x - end > kRules.kink;) {
+  for (double end = inside; is_wide(beyond.back(), end);) {
     const double x = 0.5 * (beyond.back().at.x + end);
     auto n = curve_.at_amplitude(x);
     n ? beyond.push_back(std::move(*n)) : void(end = x);

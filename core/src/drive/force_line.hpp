@@ -36,7 +36,8 @@ struct ForceExtremum {
 /// the jump are nodes.
 class ForceLine {
  public:
-  /// Which jumps of H (mu_0 > mu) are found as exactly as rounding allows; the others stay between two samples.
+  /// Which jumps of H (mu_0 > mu), and ends of amplitudes without a periodic state, are found as exactly as rounding allows; the
+  /// others stay between two samples.
   enum class Jumps : unsigned char { all, at_drive };
   /// Between two amplitudes.
   ForceLine(const DrivenWaves& waves, double speed, double low, double high,
@@ -65,6 +66,7 @@ class ForceLine {
   void append(CurveNode next, Jumps jumps);
   bool turns_to(const CurveNode& next);
   bool may_hold_between(const CurveNode& a, const CurveNode& b) const;
+  bool may_hold_towards(const CurveNode& a, double edge) const;
   void push_jump(CurveNode next);
   void pass_gap(CurveNode next, double inside, Jumps jumps);
   void extend_below(double force);

@@ -32,6 +32,9 @@ struct ContinuationRules {
   /// What the slopes of two samples may leave of ln H: the third power of `jumping_step`, times what H bends. More of it is a jump, or
   /// bends so much that it is sampled more closely.
   double jump = 1e-4;
+  /// What H changes from a sample to the edge of amplitudes without a periodic state, in its slope times the distance: 2 for a root.
+  /// Beside it what H bends, in parts of the distance squared: ten times that of usual motors.
+  double towards_edge = 3, bend = 10;
   /// What a change of the slope may hide of ln H where zones change.
   double hidden_jump = 5e-4;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.

@@ -88,6 +88,12 @@ ForceLine RunningBranch::line(double speed) const {
   return {waves_, speed, lowest, largest_amplitude(waves_), ForceLine::Jumps::at_drive};
 }
 
+// The same next to an amplitude.
+ForceLine RunningBranch::near(double amplitude, double speed) const {
+  return {waves_, speed, amplitude / kRules.island, amplitude * kRules.island,
+          ForceLine::Jumps::at_drive};
+}
+
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that
 // holds a wave there.
 void RunningBranch::search() {
@@ -183,8 +189,7 @@ void RunningBranch::continue_past_jump(const CurveNode& from, bool upward, bool 
   for (double d = 2 * kRules.shortest; d < kRules.longest_leap; d *= 2) {
     const double speed = from.parameter + (upward ? d : -d) * unit_;
     if (speed < 0 || speed > fastest_ || pieces_.size() > kRules.most_pieces) return;
-    const ForceLine line(waves_, speed, from.amplitude / kRules.island,
-                         from.amplitude * kRules.island);
+    const ForceLine line = near(from.amplitude, speed);
     std::optional<CurveNode> nearest;
     for (CurveNode& wave : line.held())
       if (wave.rise > 0 &&
@@ -382,8 +387,7 @@ std::optional<MotorPoint> RunningBranch::in_gap(double speed, bool running) cons
 
 // Amplitudes without a periodic state lie about the wave, or where it would be.
 MotorPoint RunningBranch::beside_gap(double speed, double amplitude) const {
-  const ForceLine line(waves_, speed, amplitude / kRules.island, amplitude * kRules.island);
-  for (const CurveNode& wave : line.held())
+  for (const CurveNode& wave : near(amplitude, speed).held())
     if (wave.rise > 0)
       if (auto point = solved(wave, speed, wave.solved)) return *std::move(point);
   return without_wave(PointStatus::no_periodic_state);

@@ -51,6 +51,7 @@ class RunningBranch {
   const BranchPiece* fastest_piece(bool running) const;
   void search();
   ForceLine line(double speed) const;
+  ForceLine near(double amplitude, double speed) const;
   void search_island(double near, double step, ForceExtremum hold);
   void trace_waves_of(const ForceLine& line, double speed);
   void trace(const CurveNode& wave, double speed);

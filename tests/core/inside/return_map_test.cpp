@@ -97,6 +97,58 @@ TEST_CASE("secants (E6.4, E6.5) and Newton's steps lead where plain laps from re
   CHECK(laps < plain);  // they are there to save some
 }
 
+TEST_CASE("leaps past a state that has just ceased to be lead where plain laps lead, with mu_0 > mu",
+          "[core][contact][differential]") {
+  Dice dice(46);
+  int slow = 0, saved = 0;
+  const auto at = [](ContactNumbers<double> n, double speed) {
+    n.speed_ratio = speed;
+    return find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
+  };
+  for (int i = 0; i < 1500; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, 2, true);
+    // Closes in on a speed at which laps from rest begin to lead elsewhere.
+    double low = dice.uniform(0.1, 0.6), high = low + 0.1;
+    const auto traction = [&](double speed) {
+      const PeriodicState state = at(n, speed);
+      return state.status == PeriodicStatus::ok ? state.lap.means.traction : HUGE_VAL;
+    };
+    double at_low = traction(low), at_high = traction(high);
+    for (int k = 0; k < 18 && at_low != at_high; ++k) {
+      const double middle = 0.5 * (low + high), here = traction(middle);
+      const bool is_low = std::fabs(here - at_low) < std::fabs(here - at_high) || here == at_low;
+      (is_low ? low : high) = middle, (is_low ? at_low : at_high) = here;
+    }
+    if (!(std::fabs(at_high - at_low) > 1e-3)) continue;
+    for (const double speed : {low, high}) {
+      ContactNumbers<double> here = n;
+      here.speed_ratio = speed;
+      const LayerMotion<double> layer(n.inertia, n.damping);
+      LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
+      double gap = 1;
+      int laps = 0, alike = 0, longest = 0;
+      Lap<double> lap;
+      for (; laps < 1500 && gap > 1e-13; ++laps) {
+        const std::uint64_t zones = lap.itinerary;
+        lap = run_lap(here, layer, entry);
+        alike = lap.itinerary == zones ? alike + 1 : 0, longest = std::max(longest, alike);
+        gap = apart(layer, lap.next.layer, entry.layer);
+        entry = lap.next;
+      }
+      if (gap > 1e-13 || longest < 150) continue;  // laps through many zones wander about
+      ++slow;
+      const PeriodicState state = at(n, speed);
+      CAPTURE(i, speed, laps, state.laps);
+      REQUIRE(state.status == PeriodicStatus::ok);
+      // Laps that still contract by less than a hundredth end no nearer than this.
+      CHECK(std::fabs(state.lap.means.traction - lap.means.traction) < 1e-7);
+      saved += laps - state.laps;
+    }
+  }
+  CHECK(slow > 5);
+  CHECK(saved > 100 * slow);  // of some 300
+}
+
 TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap that is marched",
           "[core][contact][differential]") {
   Dice dice(45);
