@@ -13,7 +13,8 @@ int main(int argc, char** argv) try {
               static_cast<unsigned long long>(result.evaluations), result.outcome.c_str());
   if (const auto* answer = std::get_if<OptimizeResult>(&result.answer)) {
     for (const NamedValue& value : answer->best.design)
-      std::printf("%s %s\n", value.name.c_str(), engineering(value.value, value.unit).c_str());
+      std::printf("%s %s\n", value.name.c_str(),
+                  parameter_text(value.name, value.value, value.unit).c_str());
   }
 } catch (const twum::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -270,6 +270,43 @@ TEST_CASE("what is known of degenerate limits is told", "[optim][certificate][in
   CHECK(tip.findings[0].kind == Degeneracy::dependent_constraints);
 }
 
+TEST_CASE("where limits follow from others, each is worth what it brings if it alone is loosened",
+          "[optim][certificate][closed_form]") {
+  // The largest x + 2 y over the box is at (0.5, 1) for y <= 1 + e and x + y <= 1.5: loosening c by e moves x by e. Nothing moves if
+  // only y or x may go farther, as c or the other end holds it.
+  const Problem vertex = test::posed<3>({{"x", 0.5, 3.0}, {"y", 0.0, 1.0}},
+                                        {{"c", -kInfinity, 1.5}}, [](const D* x, D* r) {
+                                          r[0] = -x[0] - 2.0 * x[1];
+                                          r[1] = x[0] + x[1];
+                                        });
+  // The same limit twice, and one beside it that is worth 2 by itself.
+  const Problem twice = test::posed<3>(
+      {{"x", 0.0, 9.0}, {"y", 0.0, 9.0}},
+      {{"a", 1.0, kInfinity}, {"b", 2.0, kInfinity}, {"c", 1.0, kInfinity}}, [](const D* x, D* r) {
+        r[0] = x[0] + 2.0 * x[1], r[1] = x[0], r[2] = 2.0 * x[0], r[3] = x[1];
+      });
+  const auto worth = [](const Certificate& c, const std::string& name) {
+    for (const Activity& a : c.limits)
+      if (a.name == name && a.active) return a.multiplier;
+    return -1.0;
+  };
+  const auto named = [](const Certificate& c) {
+    return c.findings.empty() ? std::vector<std::string>{} : c.findings.front().names;
+  };
+  const Certificate one = certify(vertex, Design{0.5, 1.0});
+  CHECK(one.passed);
+  CHECK(worth(one, "c") == Approx(1.0).epsilon(1e-6));
+  CHECK(worth(one, "x") == 0.0);
+  CHECK(worth(one, "y") == 0.0);
+  CHECK(named(one) == std::vector<std::string>{"c", "x", "y"});
+  const Certificate two = certify(twice, Design{1.0, 1.0});
+  CHECK(two.passed);
+  CHECK(worth(two, "a") == 0.0);
+  CHECK(worth(two, "b") == 0.0);
+  CHECK(worth(two, "c") == Approx(2.0).epsilon(1e-6));
+  CHECK(named(two) == std::vector<std::string>{"a", "b"});
+}
+
 TEST_CASE("a large slope or curvature in one variable hides no gain of both goals in another",
           "[optim][certificate][pareto][closed_form]") {
   for (const double large : {1e4, 1e7, 1e9}) {

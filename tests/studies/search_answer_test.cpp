@@ -207,7 +207,7 @@ TEST_CASE("a design that is not certified says why, and what is odd about it",
   CHECK_THAT(text, EndsWith("\n\n"
                             "Verification\n"
                             "Not certified as an optimum: the evaluations ran out.\n"
-                            "No influence at this design: width and thickness.\n"
+                            "To first order, nothing depends at this design on width and thickness.\n"
                             "Flat direction: preload, thickness and width can change together "
                             "without changing the answer; "
                             "this design is one of many.\n"

@@ -10,7 +10,6 @@
 #include <twum/base/error.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -194,20 +193,22 @@ class Certifier {
   }
 
   void name_dependent_limits() {
-    const auto& m = result_.multipliers;
-    if (m.active.cols() < 2) return;
-    Eigen::MatrixXd unit = m.active;
-    for (Index j = 0; j < unit.cols(); ++j) unit.col(j).normalize();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unit);
-    qr.setThreshold(1e-8);
-    if (qr.rank() == unit.cols()) return;
+    auto& m = result_.multipliers;
+    const std::vector<Index> dependent = dependent_columns(m.active);
+    if (dependent.empty()) return;
+    set_least_worth(result_.point, dependent, m);
     std::vector<std::string> names;
-    for (const std::size_t i : m.limits)
-      names.push_back(session_.problem().constraints[result_.point.limits[i].constraint].name);
-    for (const Index k : m.bounds) names.push_back(variable_name(k));
+    for (const Index j : dependent) {
+      const auto at = static_cast<std::size_t>(j);
+      names.push_back(
+          at < m.limits.size()
+              ? session_.problem().constraints[result_.point.limits[m.limits[at]].constraint].name
+              : variable_name(m.bounds[at - m.limits.size()]));
+    }
     certificate().findings.push_back(
         {Degeneracy::dependent_constraints,
-         "the gradients of the active limits are dependent: their multipliers are not unique",
+         "some of these limits follow from the others here, so that to loosen one alone may "
+         "change nothing",
          names});
   }
 

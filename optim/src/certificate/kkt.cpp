@@ -4,6 +4,8 @@
 #include "certificate/nnls.hpp"
 #include "problem/tolerance.hpp"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -186,7 +188,51 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
     m.limit_values.push_back(lambda[static_cast<Index>(i)]);
   for (std::size_t i = 0; i < m.bounds.size(); ++i)
     m.bound_values.push_back(lambda[static_cast<Index>(m.limits.size() + i)]);
+  m.worth = lambda;
   return m;
+}
+
+std::vector<Index> dependent_columns(const Eigen::MatrixXd& active) {
+  if (active.cols() < 2) return {};
+  const Eigen::MatrixXd unit = active.colwise().normalized();
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(unit);
+  lu.setThreshold(1e-8);
+  std::vector<Index> dependent;
+  if (lu.dimensionOfKernel() == 0) return dependent;
+  const Eigen::VectorXd parts = lu.kernel().colwise().normalized().rowwise().norm();
+  for (Index j = 0; j < parts.size(); ++j)
+    if (parts[j] > 1e-6) dependent.push_back(j);
+  return dependent;
+}
+
+// Among the multipliers that balance the slope, those with the least one of a limit: what the limit alone holds up (the value
+// function falls by the least of them). A small weight on it chooses which of them are not zero; those balance the slope exactly.
+void set_least_worth(const KktPoint& point, const std::vector<Index>& dependent, Multipliers& m) {
+  constexpr double kWeight = 1e-4, kNothing = 1e-6;
+  const Index n = m.active.rows(), count = m.active.cols();
+  const Eigen::VectorXd values = m.worth, size = m.active.colwise().norm();
+  const auto limits = static_cast<Index>(m.limits.size());
+  std::vector<bool> free(static_cast<std::size_t>(count), false);
+  for (std::size_t i = 0; i < m.limits.size(); ++i)
+    free[i] = point.limits[m.limits[i]].side == Side::equal;
+  for (const Index j : dependent) {
+    if (j < limits && free[static_cast<std::size_t>(j)]) continue;  // nothing loosens an equality
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 1, count);
+    a.topRows(n) = m.active.colwise().normalized();
+    a(n, j) = kWeight;
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
+    b.head(n) = m.active * values;
+    const Eigen::VectorXd x = nonnegative_least_squares(a, b, free);
+    if (x.size() == 0) continue;
+    std::vector<Index> held;
+    for (Index k = 0; k < count; ++k)
+      if (std::abs(x[k]) > kNothing * b.norm()) held.push_back(k);
+    m.worth[j] = 0.0;
+    if (std::find(held.begin(), held.end(), j) == held.end()) continue;
+    const Eigen::MatrixXd columns = a.topRows(n)(Eigen::all, held);
+    const Eigen::VectorXd exact = columns.colPivHouseholderQr().solve(b.head(n));
+    m.worth[j] = exact[std::find(held.begin(), held.end(), j) - held.begin()] / size[j];
+  }
 }
 
 double slope_beside_bounds(const Eigen::MatrixXd& gradients, const Multipliers& m) {

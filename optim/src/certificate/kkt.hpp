@@ -61,6 +61,9 @@ struct Multipliers {
   Eigen::VectorXd weights;           ///< weights of the given gradients, sum 1
   Eigen::VectorXd residual;
   Eigen::MatrixXd active;  ///< inward gradients of limits, then bounds, as columns
+  /// What each of these is worth if it alone is loosened: its value, or if several sets of values balance the slope, the least of
+  /// them.
+  Eigen::VectorXd worth;
 };
 
 /// Scaled gradients of the objectives as columns.
@@ -69,6 +72,13 @@ Eigen::MatrixXd objective_gradients(const KktPoint& point, std::size_t objective
 /// Inward gradients of these limits, then bounds, as columns.
 Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
                                const Multipliers& multipliers);
+
+/// Positions of the columns of `active` that others of them sum up to.
+std::vector<Eigen::Index> dependent_columns(const Eigen::MatrixXd& active);
+
+/// Replaces the worth of these columns by the least that it can be.
+void set_least_worth(const KktPoint& point, const std::vector<Eigen::Index>& dependent,
+                     Multipliers& multipliers);
 
 /// Size of gradients (columns) over the variables that no bound holds, because a steep slope into a bound says nothing
 /// about the others.

@@ -79,17 +79,18 @@ Activity bound_activity(const Problem& problem, const Scaling& scaling, const Kk
 std::vector<Activity> report_limits(const Problem& problem, const Scaling& scaling,
                                     const KktPoint& point, const Multipliers& multipliers) {
   std::vector<Activity> report;
+  const auto worth = [&](std::size_t i) { return multipliers.worth[static_cast<Eigen::Index>(i)]; };
   for (const Limit& limit : point.limits)
     report.push_back(constraint_activity(problem, scaling, point, limit));
   for (std::size_t i = 0; i < multipliers.limits.size(); ++i) {
     const std::size_t at = multipliers.limits[i];
     const std::size_t r = problem.objectives.size() + point.limits[at].constraint;
-    set_multiplier(report[at], multipliers.limit_values[i], scaling.factor(0), scaling.factor(r),
+    set_multiplier(report[at], worth(i), scaling.factor(0), scaling.factor(r),
                    span_of(problem, point, r), problem);
   }
   for (std::size_t i = 0; i < multipliers.bounds.size(); ++i)
     report.push_back(bound_activity(problem, scaling, point, multipliers.bounds[i],
-                                    multipliers.bound_values[i]));
+                                    worth(multipliers.limits.size() + i)));
   return report;
 }
 

@@ -291,7 +291,7 @@ std::vector<Section> sections_of(const CalibrateResult& answer, const Sources& s
   add({fit_quality(answer), points(answer)});
   std::vector<NamedValue> values;
   for (const Fitted& e : answer.estimates) values.push_back(e.parameter);
-  add(moves_sections(values, answer.moves, "", answer.folded ? fold_words() : ""));
+  add(moves_sections(values, answer.moves, "", answer.folded ? fold_words() : "", sources));
   add(plan(answer));
   add(torque_sections({answer.files().size() > 1 ? "The fitted motors" : "The fitted motor"},
                       sources));

@@ -131,7 +131,8 @@ Section along(const ParetoResult& answer) {
                 goal_axis(answer.goals.front()),
                 {variable.name, variable.unit}};
     chart.series = {{"", Stroke::dots, goal_numbers(answer, 0), variable.values}};
-    if (changes(variable.values)) section.charts.push_back(std::move(chart));
+    if (!changes(variable.values)) continue;
+    section.charts.push_back(std::move(chart));
     section.parallel.axes.push_back(std::move(variable));
   }
   const std::string of = " of " + counted(answer.front.size(), "point");

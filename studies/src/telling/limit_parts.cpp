@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/limit_parts.hpp"
 
+#include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 #include "telling/goal_parts.hpp"
 
@@ -47,7 +48,7 @@ Phrase standing_phrase(const Json& standing) {
 // "peak power by +20 mW (+0.4 %)"
 Phrase change_phrase(const Goal& goal, double by, double now) {
   Phrase phrase{name_part(goal.metric), " by ", strong(change(goal_part(goal, by, 3)))};
-  if (now != 0 && std::isfinite(now))
+  if (now != 0 && std::isfinite(now) && !is_share(goal))
     append(phrase, {" (", change(share_part(by / std::fabs(now))), ")"});
   return phrase;
 }
@@ -120,14 +121,15 @@ Part tolerance_part(const Json& standing) {
 std::vector<Phrase> limit_row(const Json& standing, const std::vector<Goal>& goals) {
   const std::string unit = standing["unit"];
   const bool binds = standing["state"] == "binds";
+  const auto change_of = [&](std::size_t k) -> Phrase {
+    return {binds ? change(goal_part(goals[k], number(standing["changes"][k]), 3)) : Part("-")};
+  };
   std::vector<Phrase> row{standing_name(standing),
                           state_phrase(standing),
                           {named_part(metric_of(standing), number(standing["value"]), unit)},
                           {value_part(number(standing["slack"]), unit, 3)}};
   row.push_back({tolerance_part(standing)});
-  for (std::size_t k = 0; k < goals.size(); ++k)
-    row.push_back(
-        {binds ? change(goal_part(goals[k], number(standing["changes"][k]), 3)) : Part("-")});
+  for (std::size_t k = 0; k < goals.size(); ++k) row.push_back(change_of(k));
   if (goals.size() == 1) row.push_back(binds ? worth_phrase(standing, goals[0]) : Phrase{"-"});
   return row;
 }
@@ -185,6 +187,11 @@ double goal_of(const DesignReport& report, const Goal& goal) {
   return std::isnan(value) ? value_of(report.design, goal.metric) : value;
 }
 
+Goal priced_goal(const OptimizeResult& answer) {
+  const bool largest = answer.robust && std::isfinite(answer.robust->largest_yield);
+  return largest ? Goal{"yield", "1", true} : answer.goal;
+}
+
 Phrase end_phrase(const std::string& name, bool at_least, double limit, const std::string& unit) {
   return {name_part(name), at_least ? " ≥ " : " ≤ ", named_part(name, limit, unit)};
 }
@@ -231,7 +238,10 @@ Phrase state_phrase(const Json& standing) {
   if (state == "unknown") return {"unknown"};
   if (state == "broken")
     return {bad("broken by "), bad(value_part(number(standing["violation"]), standing["unit"], 3))};
-  return {bad(state == "unreachable" ? "cannot be reached" : "binds")};
+  if (state == "unreachable") return {bad("cannot be reached")};
+  constexpr double kRoom = 1e3;  // of what a limit is kept within: far more than a search leaves
+  const bool room = number(standing["slack"]) > kRoom * number(standing["tolerance"]);
+  return {bad(room ? "binds under the tolerances" : "binds")};
 }
 
 Table limits_table(const Json& standings, const std::vector<Goal>& goals) {

@@ -38,6 +38,9 @@ Phrase state_phrase(const Json& standing);
 
 /// What each limit is doing, and what moving it by 1 % changes.
 Table limits_table(const Json& standings, const std::vector<Goal>& goals);
+/// What the effects of limits are changes of: the goal, or where the required yield cannot be reached, the yield, which the search
+/// made as large as it can be.
+Goal priced_goal(const OptimizeResult& answer);
 
 /// The range of a variable of the study; nothing for others.
 std::optional<std::pair<double, double>> range_of(const Sources& sources, const std::string& name);

@@ -48,12 +48,24 @@ std::optional<Phrase> time_to(const MovedMotor& motor, double speed) {
   return {};
 }
 
-// Change of the speed over the last tenth of the time to a sample, in parts of the speed there.
-double last_change(const MovedMotor& motor, const MotionSample& at) {
-  const auto& samples = motor.motion.samples;
-  const auto before =
-      std::ranges::lower_bound(samples, 0.9 * at.time, {}, [](const auto& s) { return s.time; });
-  return before == samples.end() || at.speed == 0 ? 0 : 1 - before->speed / at.speed;
+// The speed up to a sample: its mean over the last tenth of the time, how far it goes from there, and how much the mean has changed
+// from the tenth before, in parts of it.
+struct LastSpeed {
+  double mean, swing, change;
+};
+
+LastSpeed last_speed(const MovedMotor& motor, const MotionSample& at) {
+  const auto of_tenth = [&](double from, double to) {
+    double sum = 0, low = HUGE_VAL, high = -HUGE_VAL;
+    int count = 0;
+    for (const MotionSample& s : motor.motion.samples)
+      if (s.time >= from * at.time && s.time <= to * at.time)
+        sum += s.speed, ++count, low = std::min(low, s.speed), high = std::max(high, s.speed);
+    return count == 0 ? std::pair(at.speed, 0.0) : std::pair(sum / count, 0.5 * (high - low));
+  };
+  const auto [mean, swing] = of_tenth(0.9, 1);
+  const double before = of_tenth(0.8, 0.9).first;
+  return {mean, swing, mean == 0 ? 0 : (mean - before) / std::abs(mean)};
 }
 
 // A speed that no encoder resolves: a turn takes a week.
@@ -107,13 +119,20 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
                     " after ", time_part(at.time), "."});
     return phrase;
   }
-  append(phrase, {"turns at ", strong(value_part(at.speed, "rad/s"))});
-  if (answer.reference) append(phrase, distance_phrase(at.speed, answer.reference->value, "rad/s"));
-  if (const double change = last_change(motor, at); std::abs(change) > kSettled) {
+  const auto [mean, swing, change] = last_speed(motor, at);
+  const bool settling = std::abs(change) > kSettled,
+             ripples = !settling && swing > kSettled * std::abs(mean);
+  const double speed = ripples ? mean : at.speed;
+  append(phrase, {"turns at ", strong(value_part(speed, "rad/s"))});
+  if (answer.reference) append(phrase, distance_phrase(speed, answer.reference->value, "rad/s"));
+  if (settling) {
     append(phrase, {" after ", time_part(at.time), " and is still becoming ",
-                    change > 0 ? "faster." : "slower."});
+                    (change > 0) == (mean > 0) ? "faster." : "slower."});
     return phrase;
   }
+  if (ripples)
+    append(phrase,
+           {", on the mean of a ripple of ", value_part(swing, "rad/s", 2), " up and down"});
   const double level = answer.reference ? answer.reference->value : at.speed;
   if (const auto reached = time_to(motor, 0.9 * std::abs(level))) {
     append(phrase,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "telling/goal_parts.hpp"
+#include "telling/limit_parts.hpp"
 #include "telling/tellings.hpp"
 
 #include <algorithm>
@@ -11,6 +12,12 @@ namespace twum::inline v0_1::studies::telling {
 namespace {
 
 constexpr double kMore = 0.01;  // relative change of what is held
+
+// Beyond the range of a variable the answer is another one, which no slope tells.
+bool leaves_range(const NamedValue& answer, double value, const Sources& sources) {
+  const auto range = range_of(sources, answer.name);
+  return range && (value < range->first || value > range->second);
+}
 
 double change_of(const Move& move, std::size_t j) {
   return move.slopes[j] * kMore * move.held.value;
@@ -42,8 +49,10 @@ std::vector<const Move*> by_weight(const std::vector<NamedValue>& answer,
 }
 
 // "-1 %", to hundredths of a per cent; the change itself where the answer is 0.
-Part change_part(const NamedValue& answer, const Move& move, std::size_t j) {
+Part change_part(const NamedValue& answer, const Move& move, std::size_t j,
+                 const Sources& sources) {
   const double by = change_of(move, j);
+  if (leaves_range(answer, answer.value + by, sources)) return "out of its range";
   if (answer.value == 0 && by != 0) return change(value_part(by, answer.unit, 3));
   const double share = answer.value == 0 ? 0 : std::round(1e4 * by / answer.value) / 1e4;
   return std::isfinite(by) && share != 0 ? change(share_part(share, 6))
@@ -52,12 +61,13 @@ Part change_part(const NamedValue& answer, const Move& move, std::size_t j) {
 
 bool moves_any(const NamedValue& answer, const std::vector<const Move*>& order, std::size_t j) {
   return std::ranges::any_of(order, [&](const Move* move) {
-    return change_part(answer, *move, j).value != 0;  // nor unknown
+    return change_part(answer, *move, j, {}).value != 0;  // nor unknown
   });
 }
 
 // Numbers that do not change have no column.
-Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Move*>& order) {
+Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Move*>& order,
+               const Sources& sources) {
   Table table{"moves", {{"fixed parameter"}, {"value"}}, {{{"(present answer)"}, {"-"}}}};
   for (const Move* move : order)
     table.rows.push_back({{name_part(move->held.name)},
@@ -67,7 +77,7 @@ Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Mo
     table.heads.push_back({name_part(answer[j].name)});
     table.rows[0].push_back({value_part(answer[j].value, answer[j].unit)});
     for (std::size_t i = 0; i < order.size(); ++i)
-      table.rows[i + 1].push_back({change_part(answer[j], *order[i], j)});
+      table.rows[i + 1].push_back({change_part(answer[j], *order[i], j, sources)});
   }
   return table;
 }
@@ -83,9 +93,12 @@ std::vector<Phrase> unchanged(const std::vector<NamedValue>& answer,
   return {phrase};
 }
 
-// The parameter of the answer that a row changes most once more, in words; nothing if its digits do not show the change.
+// The parameter of the answer that a row changes most once more, in words; nothing if its digits do not show the change, or any of
+// the answer leaves its range.
 std::optional<Phrase> example(const std::vector<NamedValue>& answer, const Move& move,
-                              const std::string& goal) {
+                              const std::string& goal, const Sources& sources) {
+  for (std::size_t j = 0; j < answer.size(); ++j)
+    if (leaves_range(answer[j], answer[j].value + change_of(move, j), sources)) return {};
   std::size_t at = 0;
   for (std::size_t j = 1; j < answer.size(); ++j)
     if (answer[j].name != goal && part_of(answer[j], move, j) > part_of(answer[at], move, at))
@@ -112,7 +125,8 @@ std::optional<Phrase> example(const std::vector<NamedValue>& answer, const Move&
 
 std::vector<Section> moves_sections(
     const std::vector<NamedValue>& answer, const std::vector<Move>& moves, const std::string& goal,
-    const std::string& missing, const std::vector<std::pair<std::string, std::string>>& touching) {
+    const std::string& missing, const Sources& sources,
+    const std::vector<std::pair<std::string, std::string>>& touching) {
   Section section{{"Change of the answer if a fixed parameter is 1 % larger"}};
   if (!missing.empty()) {
     section.heading = {"Fixed parameters"};
@@ -124,10 +138,10 @@ std::vector<Section> moves_sections(
   if (order.empty()) return {};
   section.note = {
       "In each row one parameter is 1 % larger, the others are unchanged, and the answer is found "
-      "again."};
+      "again, to first order. What would leave its range is another answer: solve again."};
   section.sentences = unchanged(answer, order);
   for (const Move* move : order)
-    if (auto told = example(answer, *move, goal)) {
+    if (auto told = example(answer, *move, goal, sources)) {
       section.sentences.push_back(*std::move(told));
       break;
     }
@@ -135,7 +149,7 @@ std::vector<Section> moves_sections(
     section.sentences.push_back({name_part(radius), " has no row, because it equals ",
                                  name_part(other),
                                  ". Changed alone, it would create a step in the geometry."});
-  section.tables = {table_of(answer, order)};
+  section.tables = {table_of(answer, order, sources)};
   return {section};
 }
 

@@ -130,10 +130,12 @@ std::vector<Table> spread_tables(const UncertaintyResult& answer) {
 
 using SpreadLimit = UncertaintyResult::Limit;
 
-// The least or the most that a limit asks for; one between two ends has none.
+// The least or the most that a limit asks for; one between two ends has none, nor has one of two sides, whose difference is limited
+// by 0.
 double end_of(const SpreadLimit& limit) {
   const bool least = std::isfinite(limit.lower), most = std::isfinite(limit.upper);
-  return least == most ? std::nan("") : least ? limit.lower : limit.upper;
+  const double end = least ? limit.lower : limit.upper;
+  return least == most || end == 0 ? std::nan("") : end;
 }
 
 SpreadLimit looser(SpreadLimit limit) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 #include "results/standings.hpp"
 #include "telling/goal_parts.hpp"
@@ -26,9 +27,10 @@ double before_of(const OptimizeResult& answer) {
 // What binds most, or a whole number at an end of its range.
 Phrase stop_sentence(const OptimizeResult& answer) {
   Phrase phrase{"Most restrictive limit: "};
-  for (const Json& standing : standings_json(answer.best, {answer.goal})) {
+  const Goal goal = priced_goal(answer);
+  for (const Json& standing : standings_json(answer.best, {goal})) {
     if (standing["state"] != "binds") continue;
-    append(phrase, holder_phrase(standing, {answer.goal}, answer.best));
+    append(phrase, holder_phrase(standing, {goal}, answer.best));
     return phrase;
   }
   if (answer.whole_ends.empty())
@@ -47,8 +49,8 @@ Phrase best_sentence(const OptimizeResult& answer) {
   Phrase phrase{"The best design found has ", a_name_part(goal.metric), " of ",
                 strong(goal_part_of(goal, now))};
   if (!std::isnan(before)) append(phrase, {", against ", goal_part_of(goal, before), " before"});
-  if (!std::isnan(before) && before != 0)
-    append(phrase, {" (", change(share_part(now / before - 1, 3)), ")"});
+  if (!std::isnan(before) && before != 0 && now != before && !is_share(goal))
+    append(phrase, {" (", change(share_part((now - before) / std::fabs(before), 3)), ")"});
   append(phrase, {"."});
   return phrase;
 }
@@ -155,28 +157,25 @@ Phrase front_sentence(const ParetoResult& answer) {
   return phrase;
 }
 
-// What a step along the front costs, to the next points on both sides of the knee, to first order.
+// What the next points on both sides of the knee give and take.
 Phrase trade_phrase(const ParetoResult& answer, std::size_t i) {
   if (answer.goals.size() != 2)
     return {" Away from it, a small gain in one goal costs much of the other."};
-  const Goal &a = answer.goals[0], &b = answer.goals[1];
-  const auto at = [&](std::size_t point, std::size_t goal) {
-    return answer.front[point].goals[goal];
+  const auto differs = [&](std::size_t k, std::size_t goal) -> Phrase {
+    const double by = answer.front[k].goals[goal] - answer.front[i].goals[goal];
+    return {goal_part(answer.goals[goal], std::fabs(by), 3), by > 0 ? " more " : " less ",
+            name_part(answer.goals[goal].metric)};
   };
-  const double step = 0.1 * std::fabs(at(i, 0));
-  const auto rate = [&](std::size_t k) {
-    return goal_part(b, std::fabs((at(k, 1) - at(i, 1)) / (at(k, 0) - at(i, 0))) * step, 3);
-  };
-  const auto word = [](bool more) { return more ? " more " : " less "; };
-  Phrase phrase{" There "};
-  if (i > 0)
-    append(phrase, {goal_part(a, step, 3), word(a.maximize), name_part(a.metric), " is paid with ",
-                    rate(i - 1), word(!b.maximize), name_part(b.metric)});
-  if (i > 0 && i + 1 < answer.front.size()) append(phrase, {"; "});
-  if (i + 1 < answer.front.size())
-    append(phrase, {goal_part(a, step, 3), word(!a.maximize), name_part(a.metric), " brings ",
-                    rate(i + 1), word(b.maximize), name_part(b.metric)});
-  append(phrase, {", to first order."});
+  Phrase phrase{" The next point"};
+  for (const std::size_t k : {i - 1, i + 1}) {
+    if (k >= answer.front.size()) continue;  // before the first one, too
+    if (k == i + 1 && i > 0) append(phrase, {", the next on the other side"});
+    append(phrase, {" has "});
+    append(phrase, differs(k, 0));
+    append(phrase, {" and "});
+    append(phrase, differs(k, 1));
+  }
+  append(phrase, {"."});
   return phrase;
 }
 
@@ -186,6 +185,12 @@ Phrase knee_sentence(const ParetoResult& answer) {
     append(phrase, point_phrase(answer, answer.knee));
     append(phrase, {"."});
     append(phrase, trade_phrase(answer, answer.knee));
+    return phrase;
+  }
+  if (answer.front.size() == 1) {
+    Phrase phrase{"It has "};
+    append(phrase, point_phrase(answer, 0));
+    append(phrase, {"; no design was found that is better in one goal alone."});
     return phrase;
   }
   Phrase phrase{"The front has no knee, because it bends the other way. It runs from "};

@@ -25,14 +25,17 @@ Section limits_least_violated(const Json& standings) {
 }
 
 Section limits(const OptimizeResult& answer, const Json& standings, const Sources& sources) {
+  const Goal goal = priced_goal(answer);
   Section section{{"Limits"},
                   {"An active limit restricts the design. The table gives the change of the ",
-                   name_part(answer.goal.metric),
+                   name_part(goal.metric),
                    " if it is loosened by 1 %, to first order, with all variables optimized again. "
                    "The other limits have a margin."}};
-  section.remarks =
-      holder_phrases(standings, {answer.goal}, answer.best, answer.whole_ends, sources);
-  section.tables = {limits_table(standings, {answer.goal})};
+  if (answer.robust)
+    append(section.note, {" A limit that binds under the tolerances has room at the design itself, "
+                          "which some of the motors need."});
+  section.remarks = holder_phrases(standings, {goal}, answer.best, answer.whole_ends, sources);
+  section.tables = {limits_table(standings, {goal})};
   return section;
 }
 
@@ -122,8 +125,9 @@ std::vector<Phrase> starts_phrase(const OptimizeResult& answer) {
   if (runs.before > 0)
     append(phrase, {"; " + counted(runs.before, "run") + " with ", name_part("radial_slices"), " ",
                     named_part("radial_slices", runs.slices_before, "1"),
-                    " were made first to find its start; their values have a different "
-                    "discretization error, so do not compare them with this one"});
+                    runs.before == 1 ? " was" : " were",
+                    " made first to find its start, with another discretization error: do not "
+                    "compare its values with this one"});
   append(phrase, {". A better design far from all of them is still possible."});
   if (held.empty()) return {phrase};
   append(phrase, {" Each run keeps "});
@@ -151,13 +155,16 @@ std::vector<Phrase> scan_phrase(const OptimizeResult& answer) {
                   "max_evaluations, or start from that row of results.csv."}};
 }
 
-Phrase finding_phrase(const optim::Finding& finding) {
+// @param ways  independent directions of the same variables
+Phrase finding_phrase(const optim::Finding& finding, std::ptrdiff_t ways) {
   const std::vector<Part> names = name_parts(finding.names);
   Phrase phrase{finding.kind == optim::Degeneracy::flat_direction ? "Flat direction: "
                                                                   : finding.text};
+  phrase = capitalized(std::move(phrase));
   if (finding.kind == optim::Degeneracy::flat_direction) {
     append(phrase, listed(names));
     append(phrase, {std::string(names.size() > 1 ? " can change together" : " can change") +
+                    (ways > 1 ? " in " + std::to_string(ways) + " independent ways" : "") +
                     " without changing the answer; this design is one of many."});
     return phrase;
   }
@@ -176,16 +183,25 @@ Section trust(const OptimizeResult& answer) {
   const auto add = [&](std::vector<Phrase> more) {
     std::ranges::move(more, std::back_inserter(list));
   };
-  list.push_back(certificate_phrase(answer.best, is_share(answer.goal) ? "" : answer.goal.unit));
+  const Goal goal = priced_goal(answer);
+  list.push_back(certificate_phrase(answer.best, is_share(goal) ? "" : goal.unit));
+  if (goal.metric != answer.goal.metric)
+    list.push_back({"What the search made as large as it can be is the yield."});
   if (answer.best.certificate.passed && !answer.robust) add(starts_phrase(answer));
   add(scan_phrase(answer));
   if (!answer.without_influence.empty()) {
-    list.push_back({"No influence at this design: "});
+    list.push_back({"To first order, nothing depends at this design on "});
     append(list.back(), listed(name_parts(answer.without_influence)));
     append(list.back(), {"."});
   }
-  for (const optim::Finding& finding : answer.best.certificate.findings)
-    list.push_back(finding_phrase(finding));
+  const std::vector<optim::Finding>& findings = answer.best.certificate.findings;
+  for (auto finding = findings.begin(); finding != findings.end(); ++finding) {
+    const auto is_alike = [&](const optim::Finding& other) {
+      return other.kind == finding->kind && other.names == finding->names;
+    };
+    if (std::none_of(findings.begin(), finding, is_alike))
+      list.push_back(finding_phrase(*finding, std::ranges::count_if(findings, is_alike)));
+  }
   return section;
 }
 
@@ -278,11 +294,12 @@ std::vector<Section> runs(const OptimizeResult& answer) {
   Section section{{"Solver runs"},
                   {"Each solver run, with its stage in results.csv and its return code."}};
   const bool sliced = !answer.slices_of_stages.empty();
+  const Goal goal = priced_goal(answer);
   Table table{"starts",
               {{"stage"},
                {"solver"},
                {"return code"},
-               {name_part(answer.goal.metric)},
+               {name_part(goal.metric)},
                {"keeps limits"},
                {"evaluations"}},
               {}};
@@ -293,7 +310,7 @@ std::vector<Section> runs(const OptimizeResult& answer) {
     table.rows.push_back({{std::to_string(run.stage)},
                           {run.solver.empty() ? "-" : run.solver},
                           {run.word.empty() ? "-" : run.word},
-                          {goal_part_of(answer.goal, run.objective)},
+                          {goal_part_of(goal, run.objective)},
                           {run.feasible ? good("yes") : bad("no")},
                           {count_part(run.evaluations)}});
     if (sliced)
@@ -317,7 +334,7 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
     add(curve_sections(sources));
     return list;
   }
-  const Json standings = standings_json(answer.best, {answer.goal});
+  const Json standings = standings_json(answer.best, {priced_goal(answer)});
   const std::vector<CurveLimit> on_curves = curve_limits(answer.best, {answer.goal});
   add(torque_sections({"Torque: before and after"}, sources, on_curves));
   add(relaxation_sections(answer.explanation));
@@ -328,7 +345,7 @@ std::vector<Section> sections_of(const OptimizeResult& answer, const Sources& so
   add({design(answer, sources), metrics(answer)});
   if (answer.explanation.empty()) {
     list.push_back(trust(answer));
-    add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved,
+    add(moves_sections(answer.moving, answer.moves, answer.goal.metric, answer.unmoved, sources,
                        answer.touching));
   }
   add(curve_sections(sources, on_curves));

@@ -68,7 +68,7 @@ Phrase efficiency_note(const std::vector<NamedValue>& metrics);
 /// @param touching  radii that are left out, each with the one that it touches
 std::vector<Section> moves_sections(
     const std::vector<NamedValue>& answer, const std::vector<Move>& moves, const std::string& goal,
-    const std::string& missing,
+    const std::string& missing, const Sources& sources,
     const std::vector<std::pair<std::string, std::string>>& touching = {});
 
 /// How many of the motors keep the limits, or that the wanted share cannot be reached.

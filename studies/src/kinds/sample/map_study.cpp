@@ -189,6 +189,9 @@ class MapRun : public StudyKindRun {
     std::vector<std::vector<double>> largest_torque;  // of each motor at each speed
   };
 
+  /// At the largest torque itself rounding decides, and a millionth below what friction carries there is no wave (Y2.1).
+  static constexpr double kInside = 1 - 1e-5;
+
   std::uint64_t count() const { return asked_.points.speeds * asked_.points.torques; }
 
   double speed_of(std::uint64_t number) const {
@@ -225,6 +228,7 @@ class MapRun : public StudyKindRun {
       throw InputError(
           "study.torque: the drive holds no torque at these speeds, so that the map has "
           "no upper end of its own; give one, such as 1 N.m");
+    if (!asked_.torque) ends.torque *= kInside;
     return ends;
   }
 
@@ -259,9 +263,8 @@ class MapRun : public StudyKindRun {
   MapResult::Corner corner_at(std::size_t number, std::uint64_t i) const {
     const double speed = speed_of(i), torque = ends().largest_torque[number][i];
     MapResult::Corner corner{speed, torque, std::vector<double>(columns_.names().size(), kNoValue)};
-    // At the end itself rounding decides, and a millionth below what friction carries there is no wave (Y2.1).
     if (!std::isnan(torque))
-      corner.values = point_at(motors_[number].motor, (1 - 1e-5) * torque, speed).values;
+      corner.values = point_at(motors_[number].motor, kInside * torque, speed).values;
     return corner;
   }
 
