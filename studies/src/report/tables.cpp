@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/tables.hpp"
 
+#include "telling/goal_parts.hpp"
 #include "yaml/yaml_text.hpp"
 
 #include <twum/core/metrics.hpp>
@@ -145,19 +146,24 @@ bool left_out_of_pages(const MetricInfo& row) {
          row.metric == Metric::driver_loss_at;
 }
 
+// One slice leaves out sliding, so that it is not valid for wear.
 Json left_out_metrics_json(const MotorDesign& design) {
   std::vector<MetricRequest> requests;
+  const bool wears = design.stator.radial_slices != 1;
   for (const MetricInfo& row : metric_table())
-    if ((row.needs_thermal || row.needs_wear) && row.argument == Argument::none)
+    if ((row.needs_thermal || (row.needs_wear && wears)) && row.argument == Argument::none)
       requests.push_back({row.metric});
   const std::vector<MetricValue> values = evaluate(Motor(design), requests);
   Json json = Json::array();
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const MetricInfo& row = info(requests[i].metric);
     if (values[i].status != MetricStatus::ok) continue;
-    json.push_back({{"name", plain_name(std::string(row.name))},
-                    {"text", row.text},
-                    {"shown", printed_engineering(values[i].value, row.unit)}});
+    json.push_back(
+        {{"name", plain_name(std::string(row.name))},
+         {"text", row.text},
+         {"shown", telling::written(telling::named_part(std::string(row.name), values[i].value,
+                                                        std::string(row.unit)),
+                                    telling::Writing::page)}});
   }
   return json;
 }
