@@ -29,9 +29,19 @@ function logLabels(u, splits, index) {
 /** Room for the numbers of an upright axis: letters are some 7.5 px wide, and 8 px lie between them and the plot. */
 function roomFor(texts, least) { return Math.max(least, 8 + 7.5 * Math.max(0, ...(texts ?? []).map((s) => s.length))); }
 
+/** "name [unit]" as it fits along an axis: of a name that is too long the beginning. */
+function fittedLabel(u, text, side) {
+  const room = (side === 2 ? u.bbox.width : u.bbox.height) + 20 * devicePixelRatio;
+  const [, name, unit] = /^(.*?)( \[[^\]]*\])?$/.exec(text);
+  let length = name.length;
+  const short = () => (length < name.length ? name.slice(0, length).trim() + '\u2026' : name) + (unit ?? '');
+  while (length > 4 && u.ctx.measureText(short()).width > room) length--;
+  return short();
+}
+
 function axis({label, log}, side, size) {
   return {
-    label,
+    label: label && ((u) => fittedLabel(u, label, side)),
     side,
     size: side === 3 ? (_, texts) => roomFor(texts, size) : size,
     labelSize: 20,
