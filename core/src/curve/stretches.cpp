@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kStretches = 8;  // sequences of zones between two points
 constexpr double kSteady = 1e-4;       // of the holding torque: what a mean slope may leave
+constexpr double kGapEnd = 1e-11;      // of the crest speed
 constexpr double kJump = 1e-6;  // of the holding torque: more than torque moves in so short a share
 
 }  // namespace
@@ -69,6 +70,12 @@ bool CurveStretches::are_neighbours(double low, double high) const {
   return std::fabs(high - low) <= 4e-16 * (points_.curve().crest() + high);
 }
 
+// Beside the end of speeds with a periodic state it takes laps by the hundred to tell whether there is one: a few roundings are left.
+bool CurveStretches::meet_at_gap(const CurvePoint& left, const CurvePoint& right) const {
+  return left.ok() != right.ok() &&
+         std::fabs(right.speed - left.speed) <= kGapEnd * points_.curve().crest();
+}
+
 // Neighbouring speeds between which one slice changes its zones. Only slices are solved that have other zones at `end` than at
 // `low`, since a jump is that of one slice. If slices cannot be solved by themselves: the two speeds.
 std::pair<double, double> CurveStretches::change_of_slices(const CurvePoint& low,
@@ -108,7 +115,7 @@ std::pair<CurvePoint, CurvePoint> CurveStretches::stretch_end(const CurvePoint& 
   const auto [last, next] = change_of_slices(low, end);
   CurvePoint left = halving_.at(last), right = halving_.at(next);
   if (left.signature != low.signature) right = left, left = low;  // another slice changes before
-  while (!are_neighbours(left.speed, right.speed)) {
+  while (!are_neighbours(left.speed, right.speed) && !meet_at_gap(left, right)) {
     const CurvePoint& middle = halving_.at(0.5 * (left.speed + right.speed));
     if (middle.speed <= left.speed || middle.speed >= right.speed) break;
     (middle.signature == low.signature ? left : right) = middle;

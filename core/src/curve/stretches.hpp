@@ -38,6 +38,7 @@ class CurveStretches {
   std::pair<CurvePoint, CurvePoint> stretch_end(const CurvePoint& low, const CurvePoint& end);
   CurvePoint past_jump(const CurvePoint& end, double inside);
   bool are_neighbours(double low, double high) const;
+  bool meet_at_gap(const CurvePoint& left, const CurvePoint& right) const;
 
   CurvePoints& points_;
   Halving halving_;

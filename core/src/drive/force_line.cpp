@@ -222,34 +222,50 @@ void ForceLine::push_jump(CurveNode next) {
   nodes_.push_back(std::move(next));
 }
 
-// The same of a sample and the edge of a range without a periodic state. Where a state ends at a fold of its own, H goes on like the
-// root of the distance, by twice what its slope tells.
-bool ForceLine::may_hold_towards(const CurveNode& a, double edge) const {
-  const double apart = std::fabs(edge - a.at.x);
-  const double reach = (kRules.towards_edge * std::fabs(a.rise) + kRules.bend * apart) * apart;
-  return std::fabs(std::log(waves_.drive()) - a.at.y) < reach;
+// Beside amplitudes without a periodic state: by how much ln H may change from a sample to their edge. Where a state ends at a fold of
+// its own, H goes on like the root of the distance, by twice what its slope tells.
+double ForceLine::Edge::reach() const {
+  return (kRules.towards_edge * std::fabs(sample->rise) + kRules.bend * apart()) * apart();
 }
 
-// Halves towards both ends of a range of amplitudes without a periodic state, of which one is known.
+bool ForceLine::Edge::may_hold(double drive) const {
+  return std::fabs(drive - sample->at.y) < reach();
+}
+
+// H rises towards an edge and is lower beyond the gap, or falls towards it and is higher there.
+bool ForceLine::Edge::may_be_extremum(const Edge& beyond) const {
+  const double higher = sample->at.y - beyond.sample->at.y;
+  const double towards = edge > sample->at.x ? sample->rise : -sample->rise;
+  const bool sure =
+      std::fabs(higher) > reach() + beyond.reach() && std::fabs(towards) > kRules.bend * apart();
+  return !sure || (higher > 0) == (towards > 0);
+}
+
+// Halves towards both ends of a range of amplitudes without a periodic state, of which one is known, as long as what lies there is
+// asked for.
 void ForceLine::pass_gap(CurveNode next, double inside, Jumps jumps) {
-  const auto is_wide = [&](const CurveNode& sample, double edge) {
-    const bool met = jumps == Jumps::all || may_hold_towards(sample, edge);
-    return met && std::fabs(edge - sample.at.x) > kRules.kink;
+  const double drive = std::log(waves_.drive());
+  const auto matters = [&](const Edge& edge, const Edge& beyond) {
+    return edge.apart() > kRules.kink &&
+           (edge.may_hold(drive) || (jumps == Jumps::all && edge.may_be_extremum(beyond)));
   };
-  for (double end = inside; is_wide(nodes_.back(), end);) {
-    const double x = 0.5 * (nodes_.back().at.x + end);
-    auto n = curve_.at_amplitude(x);
-    n ? append(std::move(*n), jumps) : void(end = x);
+  Vector<CurveNode> ahead{std::move(next)};
+  for (double low = inside, high = inside;;) {
+    const Edge below{&nodes_.back(), low}, above{&ahead.back(), high};
+    const bool first = matters(below, above), second = matters(above, below);
+    if (!first && !second) break;
+    if (first && (!second || below.apart() >= above.apart())) {
+      const double x = 0.5 * (below.sample->at.x + low);
+      auto n = curve_.at_amplitude(x);
+      n ? append(std::move(*n), jumps) : void(low = x);
+    } else {
+      const double x = 0.5 * (above.sample->at.x + high);
+      auto n = curve_.at_amplitude(x);
+      n ? ahead.push_back(std::move(*n)) : void(high = x);
+    }
   }
-  Vector<CurveNode> beyond{std::move(next)};
-  for (double end = inside; is_wide(beyond.back(), end);) {
-    const double x = 0.5 * (beyond.back().at.x + end);
-    auto n = curve_.at_amplitude(x);
-    n ? beyond.push_back(std::move(*n)) : void(end = x);
-  }
-  push_jump(std::move(beyond.back()));
-  for (beyond.pop_back(); !beyond.empty(); beyond.pop_back())
-    append(std::move(beyond.back()), jumps);
+  push_jump(std::move(ahead.back()));
+  for (ahead.pop_back(); !ahead.empty(); ahead.pop_back()) append(std::move(ahead.back()), jumps);
 }
 
 // H(0) = 0.

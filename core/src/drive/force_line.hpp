@@ -36,8 +36,8 @@ struct ForceExtremum {
 /// the jump are nodes.
 class ForceLine {
  public:
-  /// Which jumps of H (mu_0 > mu), and ends of amplitudes without a periodic state, are found as exactly as rounding allows; the
-  /// others stay between two samples.
+  /// Which jumps of H (mu_0 > mu), and ends of amplitudes without a periodic state, are found as exactly as rounding allows: those
+  /// that the drive may meet, or also those that may be extrema. The others stay between two samples.
   enum class Jumps : unsigned char { all, at_drive };
   /// Between two amplitudes.
   ForceLine(const DrivenWaves& waves, double speed, double low, double high,
@@ -58,6 +58,16 @@ class ForceLine {
   long zones() const { return curve_.zones(); }
 
  private:
+  // A sample beside amplitudes without a periodic state, and one of these.
+  struct Edge {
+    const CurveNode* sample;
+    double edge;  // ln A
+    double apart() const { return std::fabs(edge - sample->at.x); }
+    double reach() const;
+    bool may_hold(double drive) const;
+    bool may_be_extremum(const Edge& beyond) const;
+  };
+
   std::optional<CurveNode> held_after(std::size_t i) const;
   void follow(double low, double high, Jumps jumps);
   void follow_continuous(double low, double high);
@@ -66,7 +76,6 @@ class ForceLine {
   void append(CurveNode next, Jumps jumps);
   bool turns_to(const CurveNode& next);
   bool may_hold_between(const CurveNode& a, const CurveNode& b) const;
-  bool may_hold_towards(const CurveNode& a, double edge) const;
   void push_jump(CurveNode next);
   void pass_gap(CurveNode next, double inside, Jumps jumps);
   void extend_below(double force);
