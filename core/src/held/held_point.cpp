@@ -23,13 +23,6 @@ HeldPoint without_wave(HeldStatus status, double needed = kNoValue) {
   return {status, kNoValue, kNoValue, kNoValue, needed, false, 1, {}};
 }
 
-// dT / dOmega along H = Theta u_0 (D5.4): under a constant torque the speed returns where it is negative.
-bool holds_by_itself(const DrivenWaves& waves, const LoadedWave& w, double speed) {
-  const WarmStart start = w.slopes.solved.start();
-  const DrivenWaves::LevelSlopes s = waves.at_frequency(w.omega).slopes(w.amplitude, speed, &start);
-  return s.torque_per_speed < 0;
-}
-
 class Holding {
  public:
   Holding(const MotorDesign& design, const TrackRule& track, double torque, double speed,
@@ -52,39 +45,51 @@ class Holding {
     const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
     if (!transmitted && !waves_.has_static_excess())
       return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
-    const auto [ends, lost] = loaded_.first_reached(waves_.omega());
-    if (!ends)
+    auto [reached, lost] = loaded_.first_reached(waves_.omega());
+    if (!reached)
       return lost ? without_wave(HeldStatus::no_periodic_state)
                   : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
-      if (const auto held = by_newton(loaded_.within(*ends), sought)) return *held;
-    auto wave = loaded_.solve_between(*ends);
+      if (const auto held = by_newton(reached->near, sought)) return *held;
+    auto wave = loaded_.solve(std::move(*reached));
     if (!wave) return without_wave(HeldStatus::no_periodic_state);
     return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), sought)
                                                : held_point_of(*wave);
   }
 
-  // (Y2.1) together with (Y2.3) or R = 0 by Newton's method. Nothing where that does not lead straight to
-  // both, or the voltage is too low.
+  // A step of Newton's method for (Y2.1) together with (Y2.3) or R = 0.
+  struct Step {
+    double amplitude, omega;
+    double size;  ///< the larger of both, of themselves
+  };
+  // From a wave, with its derivatives or those of one nearby.
+  Step newton_step(const LoadedWave& w, const LoadedWave& slopes, Sought sought) const {
+    const double flank = flank_of(w, sought);
+    const double turns = flank > 0 ? w.force.imaginary / flank : 0;
+    const double gap = w.force.real + flank, missing = loaded_.missing(w);
+    const double in_amplitude = slopes.in_amplitude.real - turns * slopes.in_amplitude.imaginary,
+                 in_omega = slopes.in_omega.real - turns * slopes.in_omega.imaginary;
+    const double determinant =
+        slopes.torque_in_amplitude * in_omega - slopes.torque_in_omega * in_amplitude;
+    const double grown = (missing * in_omega + gap * slopes.torque_in_omega) / determinant,
+                 raised =
+                     (-gap * slopes.torque_in_amplitude - missing * in_amplitude) / determinant;
+    return {grown, raised,
+            std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega)};
+  }
+
+  // Both by Newton's method. Nothing where that does not lead straight there.
   std::optional<HeldPoint> by_newton(LoadedWave w, Sought sought) const {
-    double last = HUGE_VAL;
+    double last = kHeldRules.longest_newton;
     for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
-      const double square = flank_squared(w, sought);
-      if (sought == Sought::drive && !(square > 0)) return {};
-      const double flank = std::sqrt(square);
-      const double slope = flank > 0 ? w.force.imaginary / flank : 0;
-      const double gap = w.force.real + flank, missing = loaded_.torque() - w.torque;
-      const double in_amplitude = w.in_amplitude.real - slope * w.in_amplitude.imaginary,
-                   in_omega = w.in_omega.real - slope * w.in_omega.imaginary;
-      const double determinant =
-          w.torque_in_amplitude * in_omega - w.torque_in_omega * in_amplitude;
-      const double grown = (missing * in_omega + gap * w.torque_in_omega) / determinant,
-                   raised = (-gap * w.torque_in_amplitude - missing * in_amplitude) / determinant;
-      const double size = std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega);
-      if (size <= kHeldRules.settled) return held_point_of(w);
-      if (!(size < last) || !(size < kHeldRules.longest_newton)) return {};
-      last = size;
-      w = loaded_.at(w.amplitude + grown, w.omega + raised, &w);
+      const Step step = newton_step(w, w, sought);
+      if (!(step.size < last)) return {};
+      last = step.size;
+      LoadedWave next = loaded_.found(w.amplitude + step.amplitude, w.omega + step.omega, &w);
+      if (!next.ok()) return {};
+      if (newton_step(next, w, sought).size <= kHeldRules.settled) return drive_of(next, sought);
+      loaded_.differentiate(next);
+      w = std::move(next);
     }
     return {};
   }
@@ -93,8 +98,8 @@ class Holding {
   // torque. Without enough voltage it leads to R = 0, where the least is needed.
   HeldPoint at_frequency(LoadedWave w, Sought sought) const {
     for (int i = 0; i < kHeldRules.most_tries; ++i) {
-      const double square = flank_squared(w, sought);
-      const double flank = square > 0 ? std::sqrt(square) : 0;
+      loaded_.differentiate(w);
+      const double flank = flank_of(w, sought);
       const double follows = -w.torque_in_omega / w.torque_in_amplitude;  // dA / domega
       const double real_slope = w.in_omega.real + w.in_amplitude.real * follows,
                    imaginary_slope = w.in_omega.imaginary + w.in_amplitude.imaginary * follows;
@@ -105,16 +110,11 @@ class Holding {
       double step = -gap / slope;
       const double room = kHeldRules.longest_in_frequency * w.omega;
       if (std::fabs(step) > room) step = std::copysign(room, step);
-      if (std::fabs(step) <= kHeldRules.settled * w.omega) {
-        HeldPoint found = held_point_of(w);
-        if (square < 0 && found.status != HeldStatus::not_converged)
-          found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
-        return found;
-      }
+      if (std::fabs(step) <= kHeldRules.settled * w.omega) return drive_of(w, sought);
       auto next = loaded_.solve_at_frequency(w, w.omega + step);
       if (!next)
-        if (auto ends = loaded_.first_reached(w.omega + step).found)
-          next = loaded_.solve_between(std::move(*ends));
+        if (auto reached = loaded_.first_reached(w.omega + step).found)
+          next = loaded_.solve(std::move(*reached));
       if (!next) return without_wave(HeldStatus::no_periodic_state);
       w = std::move(*next);
     }
@@ -125,6 +125,20 @@ class Holding {
   double flank_squared(const LoadedWave& w, Sought sought) const {
     if (sought == Sought::least_voltage) return 0;
     return waves_.drive() * waves_.drive() - w.force.imaginary * w.force.imaginary;
+  }
+
+  // -R there, or at the wave that needs the least voltage.
+  double flank_of(const LoadedWave& w, Sought sought) const {
+    const double square = flank_squared(w, sought);
+    return square > 0 ? std::sqrt(square) : 0;
+  }
+
+  // The drive of a wave with (Y2.3), or that needs the least voltage where there is not enough.
+  HeldPoint drive_of(const LoadedWave& w, Sought sought) const {
+    HeldPoint found = held_point_of(w);
+    if (flank_squared(w, sought) < 0 && found.status != HeldStatus::not_converged)
+      found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
+    return found;
   }
 
   // A drive that follows by its frequency keeps to the flank of the stator's own resonance (D8.7).
@@ -142,12 +156,13 @@ class Holding {
     held.voltage = modes_ ? modes_->rms_voltage(w.force.force()) : kNoValue;
     const DrivenWaves there = waves_.at_frequency(w.omega);
     held.radial_slices = waves_.model().track.nodes;
-    held.point = operating_point_of(there.motor(w.amplitude), w.slopes.solved, speed_,
+    held.point = operating_point_of(there.motor(w.amplitude), w.solved, speed_,
                                     modes_ ? &*modes_ : nullptr);
     if (control_ == DriveControl::amplitude) return held;
-    if (!there.stability(w.slopes.in_amplitude).stable())
-      held.status = HeldStatus::unstable_amplitude;
-    held.by_control_only = !holds_by_itself(waves_, w, speed_);
+    const DrivenWaves::LevelSlopes s = there.slopes_of(w.solved, w.amplitude, speed_);
+    if (!there.stability(s.in_amplitude).stable()) held.status = HeldStatus::unstable_amplitude;
+    // dT / dOmega along H = Theta u_0 (D5.4): under a constant torque the speed returns where it is negative.
+    held.by_control_only = !(s.torque_per_speed < 0);
     return held;
   }
 

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "held/loaded_wave.hpp"
 
+#include "drive/curve_node.hpp"
+#include "held/torque_law.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace twum::inline v0_1::core {
+namespace {
 
-double LoadedWaves::plateau() const {
+double log_step(const LoadedWave& from, const LoadedWave& to) {
+  return std::log(to.amplitude / from.amplitude);
+}
+
+// dT / d ln A
+double rise(const LoadedWave& w) { return w.torque_in_amplitude * w.amplitude; }
+
+}  // namespace
+
+LoadedWaves::LoadedWaves(const DrivenWaves& waves, double torque, double speed)
+    : waves_(waves), torque_(torque), speed_(speed) {
   const MotorModel<double>& m = waves_.model();
-  return m.kinetic * m.preload * waves_.motor(waves_.full_contact_amplitude()).lever;
+  const double lever =
+      m.track.nodes == 1 ? m.r : waves_.motor(waves_.full_contact_amplitude()).lever;
+  plateau_ = m.kinetic * m.preload * lever, root_ = std::cbrt(plateau_ - torque);
 }
 
 // Without inertia T(A) rises up to its plateau (980 curves); with mu_0 > mu it jumps.
@@ -16,46 +32,112 @@ bool LoadedWaves::is_monotone() const {
   return waves_.model().inertia == 0 && !waves_.has_static_excess();
 }
 
-LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* near) const {
+// To first order the layer enters as the derivatives of the wave nearby say.
+LoadedWave LoadedWaves::found(double amplitude, double omega, const LoadedWave* near) const {
   const DrivenWaves there = waves_.at_frequency(omega);
   std::optional<WarmStart> start;
-  if (near) start = near->slopes.solved.start();
+  if (near)
+    start = moved(near->solved.start(), near->states, amplitude - near->amplitude,
+                  omega - near->omega);
   LoadedWave w;
   w.amplitude = amplitude, w.omega = omega;
-  w.slopes =
-      there.slopes(amplitude, speed_, start ? &*start : nullptr, 0, nullptr, Continued::frequency);
-  if (!w.ok()) return w;
-  const SlopedWave& s = w.slopes.in_amplitude;
-  const contact::MotionDual& torque = w.slopes.numbers.torque;
-  w.torque = torque.v;
-  w.torque_in_amplitude = torque.d[contact::kInAmplitude];
-  w.torque_in_omega = torque.d[contact::kInSpeed];
-  w.force = s.wave.balance, w.in_amplitude = s.slope;
-  w.in_omega = w.slopes.balance_per_speed;
+  w.solved = solve_point(there.motor(amplitude), speed_, start ? &*start : nullptr);
+  w.torque = w.solved.numbers.torque;
+  w.force = there.balance(w.solved.numbers, amplitude);
   return w;
 }
 
-// Newton's method in a bracket, halving where it leaves it.
-std::optional<LoadedWave> LoadedWaves::solve_between(Bracket ends) const {
-  auto& [low, high] = ends;
-  LoadedWave w = high;
-  for (int i = 0; i < kHeldRules.most_tries; ++i) {
-    double next = w.amplitude + (torque_ - w.torque) / w.torque_in_amplitude;
-    const double step = std::fabs(next - w.amplitude);
-    if (step <= kHeldRules.settled * w.amplitude) return w;
-    if (!(next > low.amplitude && next < high.amplitude))
-      next = 0.5 * (low.amplitude + high.amplitude);
-    if (high.amplitude - low.amplitude <= kHeldRules.settled * high.amplitude) {
-      // A jump of the torque passes by the load.
-      const double scale = std::fabs(torque_) + plateau();
-      return high.torque - low.torque <= kHeldRules.jump * scale ? std::optional(high)
-                                                                 : std::nullopt;
+void LoadedWaves::differentiate(LoadedWave& w) const {
+  DrivenWaves::MovingWave moving =
+      waves_.at_frequency(w.omega).moving(w.solved, w.amplitude, speed_, Continued::frequency);
+  const auto slope = [&moving](std::size_t k) {
+    return WaveBalance<double>{moving.balance.real.d[k], moving.balance.imaginary.d[k]};
+  };
+  w.torque_in_amplitude = moving.numbers.torque.d[contact::kInAmplitude];
+  w.torque_in_omega = moving.numbers.torque.d[contact::kInSpeed];
+  w.in_amplitude = slope(contact::kInAmplitude), w.in_omega = slope(contact::kInSpeed);
+  w.states = std::move(moving.states);
+}
+
+LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* near) const {
+  LoadedWave w = found(amplitude, omega, near);
+  if (w.ok()) differentiate(w);
+  return w;
+}
+
+// T_p - T goes nearly with the cube of A_p - A, so that its cube root c is nearly straight: c - c_L times dT / dc.
+double LoadedWaves::missing(const LoadedWave& w) const {
+  const double here = std::cbrt(plateau_ - w.torque);
+  return 3 * here * here * (here - root_);
+}
+
+LoadedWaves::Search LoadedWaves::first_reached(double omega) const {
+  if (!is_monotone()) return scanned(omega);
+  // A torque that rises all through is reached once, wherever the search begins.
+  const TorqueLaw law(waves_.at_frequency(omega), speed_);
+  LoadedWave likely = at(law.amplitude(torque_ / plateau_), omega);
+  if (!likely.ok()) return scanned(omega);
+  return {Reached{std::move(likely), {}, {}}};
+}
+
+// Where the stator's crest is as fast as the rotor the contact brakes. A layer that sticks brakes less there, so that a load that
+// drives may be carried below.
+LoadedWave LoadedWaves::below_load(double omega) const {
+  LoadedWave w = at(speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude(), omega);
+  for (int i = 0; i < kHeldRules.most_steps && w.ok() && w.torque >= torque_; ++i)
+    w = at(w.amplitude * std::exp(-kHeldRules.longest), omega, &w);
+  return w;
+}
+
+// The cubic through the torques of both ends and their slopes rises or falls all the way, and is nearly straight.
+bool LoadedWaves::is_even(const LoadedWave& low, const LoadedWave& high) const {
+  const double mean = (high.torque - low.torque) / log_step(low, high);
+  const auto like_mean = [mean](const LoadedWave& end) {
+    const double ratio = rise(end) / mean;
+    return ratio <= kHeldRules.even && ratio * kHeldRules.even >= 1;
+  };
+  return like_mean(low) && like_mean(high);
+}
+
+// ln A of the next wave. Torques that jump are approached by halves.
+double LoadedWaves::next_step(const LoadedWave& from) const {
+  const bool jumps = waves_.has_static_excess();
+  const double longest = jumps ? kHeldRules.finest : kHeldRules.longest;
+  const double lacks = jumps ? torque_ - from.torque : missing(from);
+  const double left = lacks / rise(from);
+  if (!(left > 0)) return longest;
+  return std::clamp((jumps ? 0.5 : kHeldRules.beyond) * left, kHeldRules.shortest, longest);
+}
+
+// From wave to wave upwards. A step along which the torque is not even is made again, shorter.
+LoadedWaves::Search LoadedWaves::scanned(double omega) const {
+  LoadedWave first = below_load(omega);
+  double amplitude = first.amplitude, step = first.ok() ? next_step(first) : kHeldRules.finest;
+  const double farthest = kHeldRules.farthest * amplitude;
+  std::optional<LoadedWave> low;  // the largest so far that carries less
+  Search search{{}, !first.ok()};
+  if (first.ok()) low = std::move(first);
+  for (int i = 0; i < kHeldRules.most_steps && amplitude < farthest; ++i) {
+    LoadedWave next = at(amplitude * std::exp(step), omega, low ? &*low : nullptr);
+    if (step > kHeldRules.finest && !(next.ok() && is_even(*low, next))) {
+      step = std::fmax(0.5 * step, kHeldRules.finest);
+      continue;
     }
-    w = at(next, w.omega, &w);
-    if (!w.ok()) return {};
-    (w.torque < torque_ ? low : high) = w;
+    amplitude = next.amplitude, step = kHeldRules.finest;
+    search.lost = search.lost || !next.ok();
+    if (!next.ok()) continue;
+    if (next.torque >= torque_) {
+      if (low) search.found = between(std::move(*low), std::move(next));
+      return search;
+    }
+    if (auto peak = low ? peak_between(*low, next) : std::nullopt) {
+      search.found = between(std::move(*low), std::move(*peak));
+      return search;
+    }
+    step = next_step(next);
+    low = std::move(next);
   }
-  return {};
+  return search;
 }
 
 // Where the torque rises behind one node and falls before the next one, it has a peak between them.
@@ -76,63 +158,71 @@ std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
   return {};
 }
 
-// Where the stator's crest is as fast as the rotor the contact brakes. A layer that sticks brakes less there, so that a load that
-// drives may be carried below.
-LoadedWave LoadedWaves::below_load(double omega) const {
-  LoadedWave w = at(speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude(), omega);
-  for (int i = 0; i < kHeldRules.most_steps && w.ok() && w.torque >= torque_; ++i)
-    w = at(w.amplitude * std::exp(-kHeldRules.first), omega, &w);
-  return w;
+LoadedWaves::Reached LoadedWaves::between(LoadedWave low, LoadedWave high) const {
+  Reached ends{{}, std::move(low), std::move(high)};
+  ends.near = *ends.high;
+  ends.near = at(towards_load(ends), ends.near.omega, &ends.near);
+  return ends;
 }
 
-double LoadedWaves::next_step(const LoadedWave& from, double last) const {
-  if (is_monotone()) return kHeldRules.growth * last;
-  const double left = (torque_ - from.torque) / (from.torque_in_amplitude * from.amplitude);
-  return left > 0 ? std::clamp(0.5 * left, kHeldRules.shortest, kHeldRules.longest)
-                  : kHeldRules.longest;
+// The amplitude over c, the cube root of T_p - T, by the cubic through both ends and their slopes.
+double LoadedWaves::between_ends(const LoadedWave& low, const LoadedWave& high) const {
+  const double a = std::cbrt(plateau_ - low.torque), b = std::cbrt(plateau_ - high.torque);
+  const double t = (a - root_) / (a - b), left = 1 - t;
+  const double from_low = 3 * a * a * (a - b) / low.torque_in_amplitude,
+               to_high = 3 * b * b * (a - b) / high.torque_in_amplitude;
+  return left * left * ((1 + 2 * t) * low.amplitude + t * from_low) +
+         t * t * ((1 + 2 * left) * high.amplitude - left * to_high);
 }
 
-LoadedWaves::Search LoadedWaves::first_reached(double omega) const {
-  LoadedWave last = below_load(omega);
-  const double farthest = kHeldRules.farthest * last.amplitude;
-  std::optional<LoadedWave> low;  // the largest so far that carries less
-  Search search;
-  double step = is_monotone() ? kHeldRules.first : kHeldRules.longest;
-  for (int i = 0; i < kHeldRules.most_steps && last.amplitude < farthest; ++i) {
-    if (last.ok()) {
-      if (last.torque >= torque_) {
-        if (low) search.found = {std::move(*low), std::move(last)};
-        return search;
-      }
-      if (low && !is_monotone())
-        if (auto peak = peak_between(*low, last)) {
-          search.found = {std::move(*low), std::move(*peak)};
-          return search;
-        }
-      if (low) step = next_step(last, step);
-      low = last;
-    } else {
-      search.lost = true;
+// The next amplitude to try: a cubic between two ends, Newton's method from one; halfway or a step where that leaves them.
+double LoadedWaves::towards_load(const Reached& ends) const {
+  const auto& [near, low, high] = ends;
+  const bool rise = low && high && low->torque_in_amplitude > 0 && high->torque_in_amplitude > 0;
+  const double next = rise ? between_ends(*low, *high)
+                           : near.amplitude + missing(near) / near.torque_in_amplitude;
+  const double longest = std::exp(kHeldRules.blind);
+  const double least = low ? low->amplitude : high->amplitude / longest,
+               most = high ? high->amplitude : low->amplitude * longest;
+  if (next > least && next < most) return next;
+  if (low && high) return 0.5 * (least + most);
+  return low ? most : least;
+}
+
+// Steps towards the load in a bracket, which halve it where they do not lead there fast: at a jump.
+std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
+  auto& [near, low, high] = ends;
+  bool halved = false;
+  for (double off, last = HUGE_VAL, i = 0; i < kHeldRules.most_tries && near.ok(); ++i, last = off) {
+    off = std::fabs(torque_ - near.torque);
+    (near.torque < torque_ ? low : high) = near;
+    if (low && high &&
+        high->amplitude - low->amplitude <= kHeldRules.settled * high->amplitude) {
+      // A jump of the torque passes by the load.
+      const double scale = std::fabs(torque_) + plateau_;
+      return high->torque - low->torque <= kHeldRules.jump * scale ? high : std::nullopt;
     }
-    last = at(last.amplitude * std::exp(step), omega, low ? &*low : nullptr);
+    halved = !halved && low && high && off > kHeldRules.fast * last;
+    const double next =
+        halved ? 0.5 * (low->amplitude + high->amplitude) : towards_load(ends);
+    if (std::fabs(next - near.amplitude) <= kHeldRules.settled * near.amplitude) return near;
+    LoadedWave tried = found(next, near.omega, &near);
+    const bool settled = std::fabs(torque_ - tried.torque) <=
+                         kHeldRules.settled * next * near.torque_in_amplitude;
+    if (settled && tried.ok()) return tried;
+    if (tried.ok()) differentiate(tried);
+    near = std::move(tried);
   }
-  return search;
-}
-
-// The torque bends towards its plateau: from below the load Newton's method does not leave the branch.
-LoadedWave LoadedWaves::within(const Bracket& ends) const {
-  const auto& [low, high] = ends;
-  const double share = (torque_ - low.torque) / (high.torque - low.torque);
-  return at(low.amplitude + share * (high.amplitude - low.amplitude), high.omega, &high);
+  return {};
 }
 
 std::optional<LoadedWave> LoadedWaves::solve_at_frequency(const LoadedWave& known,
                                                           double omega) const {
-  const double slope = -known.torque_in_omega / known.torque_in_amplitude;
-  LoadedWave w = at(known.amplitude + slope * (omega - known.omega), omega, &known);
+  const double follows = -known.torque_in_omega / known.torque_in_amplitude;
+  LoadedWave w = at(known.amplitude + follows * (omega - known.omega), omega, &known);
   double last = HUGE_VAL;
   for (int i = 0; i < kHeldRules.most_tries && w.ok(); ++i) {
-    const double step = (torque_ - w.torque) / w.torque_in_amplitude;
+    const double step = missing(w) / w.torque_in_amplitude;
     if (!(w.torque_in_amplitude > 0) || !(std::fabs(step) < last)) return {};
     if (std::fabs(step) <= kHeldRules.settled * w.amplitude) return w;
     last = std::fabs(step);
