@@ -45,16 +45,41 @@ class Holding {
     const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
     if (!transmitted && !waves_.has_static_excess())
       return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
+    if (const auto wave = straight(sought)) return drive_of(*wave, sought);
     auto [reached, lost] = loaded_.first_reached(waves_.omega());
     if (!reached)
       return lost ? without_wave(HeldStatus::no_periodic_state)
                   : without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
     if (control_ == DriveControl::frequency)
-      if (const auto held = by_newton(reached->near, sought)) return *held;
+      if (const auto held = by_newton(reached->near, sought)) return drive_of(*held, sought);
     auto wave = loaded_.solve(std::move(*reached));
     if (!wave) return without_wave(HeldStatus::no_periodic_state);
     return control_ == DriveControl::frequency ? at_frequency(std::move(*wave), sought)
                                                : held_point_of(*wave);
+  }
+
+  // From a likely wave by Newton's method. Nothing where that does not lead straight to the first wave that carries the load.
+  std::optional<LoadedWave> straight(Sought sought) const {
+    const bool follows = control_ == DriveControl::frequency;
+    auto wave = loaded_.likely(follows ? likely_omega(sought) : waves_.omega());
+    if (!wave) return {};
+    wave = follows ? by_newton(std::move(*wave), sought) : loaded_.solve({std::move(*wave), {}, {}});
+    return wave && loaded_.is_first(*wave) ? wave : std::nullopt;
+  }
+
+  // (Y2.3) of the likely wave, on which the contact acts by its pressure, and from which it takes what the load would at the speed
+  // of the crest.
+  double likely_omega(Sought sought) const {
+    const double amplitude = loaded_.likely_amplitude(waves_.omega());
+    const double power =
+        std::fabs(loaded_.torque()) * waves_.crest_speed_per_amplitude() * amplitude;
+    LoadedWave likely;
+    likely.force = waves_.balance(
+        {0, power, 0, 0, 0, waves_.motor(amplitude).mean.pressure_force}, amplitude);
+    const double gap = likely.force.real + flank_of(likely, sought);
+    const double square =
+        waves_.omega() * waves_.omega() + gap / (waves_.modes().mass * amplitude);
+    return square > 0 ? std::sqrt(square) : waves_.omega();
   }
 
   // A step of Newton's method for (Y2.1) together with (Y2.3) or R = 0.
@@ -79,7 +104,7 @@ class Holding {
   }
 
   // Both by Newton's method. Nothing where that does not lead straight there.
-  std::optional<HeldPoint> by_newton(LoadedWave w, Sought sought) const {
+  std::optional<LoadedWave> by_newton(LoadedWave w, Sought sought) const {
     double last = kHeldRules.longest_newton;
     for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
       const Step step = newton_step(w, w, sought);
@@ -87,7 +112,8 @@ class Holding {
       last = step.size;
       LoadedWave next = loaded_.found(w.amplitude + step.amplitude, w.omega + step.omega, &w);
       if (!next.ok()) return {};
-      if (newton_step(next, w, sought).size <= kHeldRules.settled) return drive_of(next, sought);
+      next.torque_in_amplitude = w.torque_in_amplitude;
+      if (newton_step(next, w, sought).size <= kHeldRules.settled) return next;
       loaded_.differentiate(next);
       w = std::move(next);
     }
@@ -133,10 +159,10 @@ class Holding {
     return square > 0 ? std::sqrt(square) : 0;
   }
 
-  // The drive of a wave with (Y2.3), or that needs the least voltage where there is not enough.
+  // The drive of a wave, which for (Y2.3) may be the one that needs the least voltage because there is not enough.
   HeldPoint drive_of(const LoadedWave& w, Sought sought) const {
     HeldPoint found = held_point_of(w);
-    if (flank_squared(w, sought) < 0 && found.status != HeldStatus::not_converged)
+    if (control_ == DriveControl::frequency && flank_squared(w, sought) < 0 && found.status != HeldStatus::not_converged)
       found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
     return found;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twum::inline v0_1::core {
 namespace {
@@ -17,6 +18,21 @@ double log_step(const LoadedWave& from, const LoadedWave& to) {
 // dT / d ln A
 double rise(const LoadedWave& w) { return w.torque_in_amplitude * w.amplitude; }
 
+// The cubic through the torques of both ends and their slopes rises or falls all the way, and is nearly straight.
+bool is_even(const LoadedWave& low, const LoadedWave& high) {
+  const double length = log_step(low, high), mean = (high.torque - low.torque) / length;
+  const auto like_mean = [mean](const LoadedWave& end) {
+    const double ratio = rise(end) / mean;
+    return ratio <= kHeldRules.even && ratio * kHeldRules.even >= 1;
+  };
+  return length <= kHeldRules.longest && like_mean(low) && like_mean(high);
+}
+
+// Where the torque rises behind one wave and falls before the next one.
+bool has_peak(const LoadedWave& low, const LoadedWave& high) {
+  return low.torque_in_amplitude > 0 && high.torque_in_amplitude < 0;
+}
+
 }  // namespace
 
 LoadedWaves::LoadedWaves(const DrivenWaves& waves, double torque, double speed)
@@ -25,11 +41,6 @@ LoadedWaves::LoadedWaves(const DrivenWaves& waves, double torque, double speed)
   const double lever =
       m.track.nodes == 1 ? m.r : waves_.motor(waves_.full_contact_amplitude()).lever;
   plateau_ = m.kinetic * m.preload * lever, root_ = std::cbrt(plateau_ - torque);
-}
-
-// Without inertia T(A) rises up to its plateau (980 curves); with mu_0 > mu it jumps.
-bool LoadedWaves::is_monotone() const {
-  return waves_.model().inertia == 0 && !waves_.has_static_excess();
 }
 
 // To first order the layer enters as the derivatives of the wave nearby say.
@@ -71,13 +82,22 @@ double LoadedWaves::missing(const LoadedWave& w) const {
   return 3 * here * here * (here - root_);
 }
 
-LoadedWaves::Search LoadedWaves::first_reached(double omega) const {
-  if (!is_monotone()) return scanned(omega);
-  // A torque that rises all through is reached once, wherever the search begins.
-  const TorqueLaw law(waves_.at_frequency(omega), speed_);
-  LoadedWave likely = at(law.amplitude(torque_ / plateau_), omega);
-  if (!likely.ok()) return scanned(omega);
-  return {Reached{std::move(likely), {}, {}}};
+double LoadedWaves::likely_amplitude(double omega) const {
+  return TorqueLaw(waves_.at_frequency(omega), speed_).amplitude(torque_ / plateau_);
+}
+
+std::optional<LoadedWave> LoadedWaves::likely(double omega) const {
+  if (waves_.has_static_excess()) return {};
+  LoadedWave w = at(likely_amplitude(omega), omega);
+  return w.ok() ? std::optional(std::move(w)) : std::nullopt;
+}
+
+// Without inertia T(A) rises up to its plateau (980 curves).
+bool LoadedWaves::is_first(const LoadedWave& w) const {
+  if (waves_.model().inertia == 0) return true;
+  const LoadedWave low = below_load(w.omega);
+  return low.ok() && low.amplitude < w.amplitude && w.torque_in_amplitude > 0 &&
+         stays_below(low, w);
 }
 
 // Where the stator's crest is as fast as the rotor the contact brakes. A layer that sticks brakes less there, so that a load that
@@ -89,14 +109,13 @@ LoadedWave LoadedWaves::below_load(double omega) const {
   return w;
 }
 
-// The cubic through the torques of both ends and their slopes rises or falls all the way, and is nearly straight.
-bool LoadedWaves::is_even(const LoadedWave& low, const LoadedWave& high) const {
-  const double mean = (high.torque - low.torque) / log_step(low, high);
-  const auto like_mean = [mean](const LoadedWave& end) {
-    const double ratio = rise(end) / mean;
-    return ratio <= kHeldRules.even && ratio * kHeldRules.even >= 1;
-  };
-  return like_mean(low) && like_mean(high);
+// Between two waves that carry no more than the load none carries more, as far as ever finer steps tell.
+bool LoadedWaves::stays_below(const LoadedWave& low, const LoadedWave& high) const {
+  if (is_even(low, high)) return true;
+  if (log_step(low, high) <= kHeldRules.finest) return !has_peak(low, high);
+  const LoadedWave middle = at(std::sqrt(low.amplitude * high.amplitude), high.omega, &low);
+  return middle.ok() && middle.torque < torque_ && stays_below(low, middle) &&
+         stays_below(middle, high);
 }
 
 // ln A of the next wave. Torques that jump are approached by halves.
@@ -110,7 +129,7 @@ double LoadedWaves::next_step(const LoadedWave& from) const {
 }
 
 // From wave to wave upwards. A step along which the torque is not even is made again, shorter.
-LoadedWaves::Search LoadedWaves::scanned(double omega) const {
+LoadedWaves::Search LoadedWaves::first_reached(double omega) const {
   LoadedWave first = below_load(omega);
   double amplitude = first.amplitude, step = first.ok() ? next_step(first) : kHeldRules.finest;
   const double farthest = kHeldRules.farthest * amplitude;
@@ -140,10 +159,9 @@ LoadedWaves::Search LoadedWaves::scanned(double omega) const {
   return search;
 }
 
-// Where the torque rises behind one node and falls before the next one, it has a peak between them.
 std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
                                                     const LoadedWave& high) const {
-  if (!(low.torque_in_amplitude > 0 && high.torque_in_amplitude < 0)) return {};
+  if (!has_peak(low, high)) return {};
   LoadedWave a = low, b = high;
   for (int i = 0;
        i < kHeldRules.most_tries && b.amplitude - a.amplitude > kHeldRules.peak * b.amplitude;
@@ -160,27 +178,28 @@ std::optional<LoadedWave> LoadedWaves::peak_between(const LoadedWave& low,
 
 LoadedWaves::Reached LoadedWaves::between(LoadedWave low, LoadedWave high) const {
   Reached ends{{}, std::move(low), std::move(high)};
-  ends.near = *ends.high;
-  ends.near = at(towards_load(ends), ends.near.omega, &ends.near);
+  ends.near = at(towards_load(*ends.high, &*ends.low, ends), ends.high->omega, &*ends.high);
   return ends;
 }
 
-// The amplitude over c, the cube root of T_p - T, by the cubic through both ends and their slopes.
-double LoadedWaves::between_ends(const LoadedWave& low, const LoadedWave& high) const {
-  const double a = std::cbrt(plateau_ - low.torque), b = std::cbrt(plateau_ - high.torque);
+// Where A reaches the load as a function of c, the cube root of T_p - T: by the cubic through two waves and their slopes.
+double LoadedWaves::on_cubic(const LoadedWave& p, const LoadedWave& q) const {
+  const double a = std::cbrt(plateau_ - p.torque), b = std::cbrt(plateau_ - q.torque);
   const double t = (a - root_) / (a - b), left = 1 - t;
-  const double from_low = 3 * a * a * (a - b) / low.torque_in_amplitude,
-               to_high = 3 * b * b * (a - b) / high.torque_in_amplitude;
-  return left * left * ((1 + 2 * t) * low.amplitude + t * from_low) +
-         t * t * ((1 + 2 * left) * high.amplitude - left * to_high);
+  const double from_p = 3 * a * a * (a - b) / p.torque_in_amplitude,
+               to_q = 3 * b * b * (a - b) / q.torque_in_amplitude;
+  return left * left * ((1 + 2 * t) * p.amplitude + t * from_p) +
+         t * t * ((1 + 2 * left) * q.amplitude - left * to_q);
 }
 
-// The next amplitude to try: a cubic between two ends, Newton's method from one; halfway or a step where that leaves them.
-double LoadedWaves::towards_load(const Reached& ends) const {
-  const auto& [near, low, high] = ends;
-  const bool rise = low && high && low->torque_in_amplitude > 0 && high->torque_in_amplitude > 0;
-  const double next = rise ? between_ends(*low, *high)
-                           : near.amplitude + missing(near) / near.torque_in_amplitude;
+// The next amplitude to try: by the cubic through the last two waves, or Newton's method from the last; halfway between two ends or a
+// step from the only one where that leaves them.
+double LoadedWaves::towards_load(const LoadedWave& near, const LoadedWave* before,
+                                 const Reached& ends) const {
+  const auto& [unused, low, high] = ends;
+  const bool rises = before && before->torque_in_amplitude > 0 && near.torque_in_amplitude > 0;
+  const double next = rises ? on_cubic(*before, near)
+                            : near.amplitude + missing(near) / near.torque_in_amplitude;
   const double longest = std::exp(kHeldRules.blind);
   const double least = low ? low->amplitude : high->amplitude / longest,
                most = high ? high->amplitude : low->amplitude * longest;
@@ -192,9 +211,11 @@ double LoadedWaves::towards_load(const Reached& ends) const {
 // Steps towards the load in a bracket, which halve it where they do not lead there fast: at a jump.
 std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
   auto& [near, low, high] = ends;
+  std::optional<LoadedWave> before = low;
   bool halved = false;
-  for (double off, last = HUGE_VAL, i = 0; i < kHeldRules.most_tries && near.ok(); ++i, last = off) {
-    off = std::fabs(torque_ - near.torque);
+  double last = HUGE_VAL;
+  for (int i = 0; i < kHeldRules.most_tries && near.ok(); ++i) {
+    const double off = std::fabs(torque_ - near.torque);
     (near.torque < torque_ ? low : high) = near;
     if (low && high &&
         high->amplitude - low->amplitude <= kHeldRules.settled * high->amplitude) {
@@ -203,15 +224,17 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
       return high->torque - low->torque <= kHeldRules.jump * scale ? high : std::nullopt;
     }
     halved = !halved && low && high && off > kHeldRules.fast * last;
-    const double next =
-        halved ? 0.5 * (low->amplitude + high->amplitude) : towards_load(ends);
+    const double next = halved ? 0.5 * (low->amplitude + high->amplitude)
+                               : towards_load(near, before ? &*before : nullptr, ends);
     if (std::fabs(next - near.amplitude) <= kHeldRules.settled * near.amplitude) return near;
     LoadedWave tried = found(next, near.omega, &near);
+    tried.torque_in_amplitude = near.torque_in_amplitude;
     const bool settled = std::fabs(torque_ - tried.torque) <=
                          kHeldRules.settled * next * near.torque_in_amplitude;
-    if (settled && tried.ok()) return tried;
+    if (tried.ok() && settled) return tried;
     if (tried.ok()) differentiate(tried);
-    near = std::move(tried);
+    before = std::exchange(near, std::move(tried));
+    last = off;
   }
   return {};
 }

@@ -12,7 +12,7 @@ struct HeldRules {
   /// ln A from wave to wave below the first that carries the torque. A step is as long as `longest` only where the torque rises or
   /// falls evenly along it; ripples of a layer that rings are longer than `finest`, jumps (mu_0 > mu) are approached by steps down
   /// to `shortest`.
-  double longest = 0.2, finest = 0.04, shortest = 2e-3;
+  double longest = 0.4, finest = 0.04, shortest = 2e-3;
   /// Even: the slopes at both ends are no more than this many times the mean slope, and no less than that part of it.
   double even = 2;
   /// Of the distance at which the torque is expected: most often it is reached then.
@@ -70,7 +70,14 @@ class LoadedWaves {
   /// What a wave lacks of the load, as Newton's method for the cube root of T_p - T sees it [N m].
   double missing(const LoadedWave& wave) const;
 
-  /// Where the torque first reaches the load as the amplitude rises.
+  /// A wave of a frequency that carries about the load, whether that is its first or not. Nothing if there is no telling: with
+  /// mu_0 > mu, which makes the torque jump, or if its layer has no periodic state.
+  std::optional<LoadedWave> likely(double omega) const;
+  double likely_amplitude(double omega) const;
+  /// True if no smaller amplitude of its frequency carries the load, too.
+  bool is_first(const LoadedWave& wave) const;
+
+  /// Where the torque reaches the load as the amplitude rises.
   struct Reached {
     LoadedWave near;                      ///< from here Newton's method leads to the load
     std::optional<LoadedWave> low, high;  ///< waves that carry less and more, where they are known
@@ -81,22 +88,21 @@ class LoadedWaves {
     bool lost{false};
   };
   Search first_reached(double omega) const;
-  /// The wave there that carries the load (Y2.1); nothing where the torque jumps past it, or has no periodic state.
+  /// The wave there that carries the load (Y2.1), with the slope of one next to it; nothing where the torque jumps past it, or has no
+  /// periodic state.
   std::optional<LoadedWave> solve(Reached ends) const;
   /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
   std::optional<LoadedWave> solve_at_frequency(const LoadedWave& known, double omega) const;
 
  private:
   LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
-  bool is_monotone() const;
-  Search scanned(double omega) const;
   LoadedWave below_load(double omega) const;
-  bool is_even(const LoadedWave& low, const LoadedWave& high) const;
+  bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
   double next_step(const LoadedWave& from) const;
   std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
   Reached between(LoadedWave low, LoadedWave high) const;
-  double between_ends(const LoadedWave& low, const LoadedWave& high) const;
-  double towards_load(const Reached& ends) const;
+  double on_cubic(const LoadedWave& p, const LoadedWave& q) const;
+  double towards_load(const LoadedWave& near, const LoadedWave* before, const Reached& ends) const;
 
   const DrivenWaves& waves_;
   double torque_, speed_, plateau_;
