@@ -2,6 +2,7 @@
 #include "held/envelope.hpp"
 
 #include "drive/driven_wave.hpp"
+#include "held/holding.hpp"
 #include "point/slice_count.hpp"
 
 #include <twum/base/error.hpp>
@@ -29,10 +30,6 @@ constexpr int kDoublings = 40;
 constexpr double kAnySpeed = 1;
 // Bits of the corner's place.
 constexpr int kBits = 46;
-
-DriveControl control_of(const Stator& stator) {
-  return stator.voltage ? stator.control : DriveControl::amplitude;
-}
 
 double share_over(double has, double needs) { return needs > 0 ? has / needs - 1 : kNoValue; }
 

@@ -18,16 +18,6 @@ double log_step(const LoadedWave& from, const LoadedWave& to) {
 // dT / d ln A
 double rise(const LoadedWave& w) { return w.torque_in_amplitude * w.amplitude; }
 
-// The cubic through the torques of both ends and their slopes rises or falls all the way, and is nearly straight.
-bool is_even(const LoadedWave& low, const LoadedWave& high) {
-  const double length = log_step(low, high), mean = (high.torque - low.torque) / length;
-  const auto like_mean = [mean](const LoadedWave& end) {
-    const double ratio = rise(end) / mean;
-    return ratio <= kHeldRules.even && ratio * kHeldRules.even >= 1;
-  };
-  return length <= kHeldRules.longest && like_mean(low) && like_mean(high);
-}
-
 // Where the torque rises behind one wave and falls before the next one.
 bool has_peak(const LoadedWave& low, const LoadedWave& high) {
   return low.torque_in_amplitude > 0 && high.torque_in_amplitude < 0;
@@ -35,13 +25,21 @@ bool has_peak(const LoadedWave& low, const LoadedWave& high) {
 
 }  // namespace
 
-LoadedWaves::LoadedWaves(const DrivenWaves& waves, double torque, double speed)
-    : waves_(waves), torque_(torque), speed_(speed) {
+void LoadedWave::take_slopes(const LoadedWave& near) {
+  torque_in_amplitude = near.torque_in_amplitude, torque_in_omega = near.torque_in_omega;
+  in_amplitude = near.in_amplitude, in_omega = near.in_omega;
+  states = near.states;
+}
+
+LoadedWaves::LoadedWaves(const DrivenWaves& waves, double speed) : waves_(waves), speed_(speed) {
   const MotorModel<double>& m = waves_.model();
   const double lever =
       m.track.nodes == 1 ? m.r : waves_.motor(waves_.full_contact_amplitude()).lever;
-  plateau_ = m.kinetic * m.preload * lever, root_ = std::cbrt(plateau_ - torque);
+  plateau_ = m.kinetic * m.preload * lever;
+  carry(0);
 }
+
+void LoadedWaves::carry(double torque) { torque_ = torque, root_ = std::cbrt(plateau_ - torque); }
 
 // To first order the layer enters as the derivatives of the wave nearby say.
 LoadedWave LoadedWaves::found(double amplitude, double omega, const LoadedWave* near) const {
@@ -92,10 +90,12 @@ std::optional<LoadedWave> LoadedWaves::likely(double omega) const {
   return w.ok() ? std::optional(std::move(w)) : std::nullopt;
 }
 
-// Without inertia T(A) rises up to its plateau (980 curves).
-bool LoadedWaves::is_first(const LoadedWave& w) const {
+// Without inertia T(A) rises up to its plateau (980 curves). Below the first wave that carries a smaller load at the same frequency
+// nothing carries even that.
+bool LoadedWaves::is_first(const LoadedWave& w, const LoadedWave* lower) const {
   if (waves_.model().inertia == 0) return true;
-  const LoadedWave low = below_load(w.omega);
+  const bool known = lower && lower->omega == w.omega && lower->torque < torque_;
+  const LoadedWave low = known ? *lower : below_load(w.omega);
   return low.ok() && low.amplitude < w.amplitude && w.torque_in_amplitude > 0 &&
          stays_below(low, w);
 }
@@ -107,6 +107,19 @@ LoadedWave LoadedWaves::below_load(double omega) const {
   for (int i = 0; i < kHeldRules.most_steps && w.ok() && w.torque >= torque_; ++i)
     w = at(w.amplitude * std::exp(-kHeldRules.longest), omega, &w);
   return w;
+}
+
+// The cube root of T_p - T goes all the way from one end to the other, as the cubic through both and their slopes does, and nearly
+// straight. Towards the plateau the torque itself bends.
+bool LoadedWaves::is_even(const LoadedWave& low, const LoadedWave& high) const {
+  const double length = log_step(low, high);
+  const double a = std::cbrt(plateau_ - low.torque), b = std::cbrt(plateau_ - high.torque);
+  const double mean = (b - a) / length;
+  const auto like_mean = [mean](double root, const LoadedWave& end) {
+    const double ratio = -rise(end) / (3 * root * root * mean);
+    return ratio <= kHeldRules.even && ratio * kHeldRules.even >= 1;
+  };
+  return length <= kHeldRules.longest && like_mean(a, low) && like_mean(b, high);
 }
 
 // Between two waves that carry no more than the load none carries more, as far as ever finer steps tell.
@@ -228,10 +241,12 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
                                : towards_load(near, before ? &*before : nullptr, ends);
     if (std::fabs(next - near.amplitude) <= kHeldRules.settled * near.amplitude) return near;
     LoadedWave tried = found(next, near.omega, &near);
-    tried.torque_in_amplitude = near.torque_in_amplitude;
     const bool settled = std::fabs(torque_ - tried.torque) <=
                          kHeldRules.settled * next * near.torque_in_amplitude;
-    if (tried.ok() && settled) return tried;
+    if (tried.ok() && settled) {
+      tried.take_slopes(near);
+      return tried;
+    }
     if (tried.ok()) differentiate(tried);
     before = std::exchange(near, std::move(tried));
     last = off;

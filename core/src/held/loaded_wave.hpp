@@ -53,12 +53,17 @@ struct LoadedWave {
   /// @}
 
   bool ok() const { return solved.status == PointStatus::ok; }
+  /// Takes the derivatives of a wave next to it.
+  void take_slopes(const LoadedWave& near);
 };
 
 /// A motor at one speed under one load, whose drive follows.
 class LoadedWaves {
  public:
-  LoadedWaves(const DrivenWaves& waves, double torque, double speed);
+  LoadedWaves(const DrivenWaves& waves, double speed);
+
+  /// From now on the load is another one; at first it is none.
+  void carry(double torque);
 
   double torque() const { return torque_; }
   /// Torque of a contact that slips and drives all through, the largest with mu_0 = mu.
@@ -75,7 +80,8 @@ class LoadedWaves {
   std::optional<LoadedWave> likely(double omega) const;
   double likely_amplitude(double omega) const;
   /// True if no smaller amplitude of its frequency carries the load, too.
-  bool is_first(const LoadedWave& wave) const;
+  /// @param lower  the first wave that carries another load; null if none is known
+  bool is_first(const LoadedWave& wave, const LoadedWave* lower) const;
 
   /// Where the torque reaches the load as the amplitude rises.
   struct Reached {
@@ -88,7 +94,7 @@ class LoadedWaves {
     bool lost{false};
   };
   Search first_reached(double omega) const;
-  /// The wave there that carries the load (Y2.1), with the slope of one next to it; nothing where the torque jumps past it, or has no
+  /// The wave there that carries the load (Y2.1), with the slopes of one next to it; nothing where the torque jumps past it, or has no
   /// periodic state.
   std::optional<LoadedWave> solve(Reached ends) const;
   /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
@@ -97,6 +103,7 @@ class LoadedWaves {
  private:
   LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
   LoadedWave below_load(double omega) const;
+  bool is_even(const LoadedWave& low, const LoadedWave& high) const;
   bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
   double next_step(const LoadedWave& from) const;
   std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
@@ -105,8 +112,9 @@ class LoadedWaves {
   double towards_load(const LoadedWave& near, const LoadedWave* before, const Reached& ends) const;
 
   const DrivenWaves& waves_;
-  double torque_, speed_, plateau_;
-  double root_;  // cube root of T_p - T_L
+  double speed_, plateau_;
+  double torque_{0};
+  double root_{0};  // cube root of T_p - T_L
 };
 
 }  // namespace twum::inline v0_1::core

@@ -8,11 +8,13 @@
 namespace twum::inline v0_1::studies {
 namespace {
 
+// Made when first asked for: the shapes of all kinds take longer to make than many a study runs.
 template <typename S>
-Shape<Study> any(const Shape<S>& shape) {
-  return shape_as<Study, S>(
-      shape, [](S study) { return Study{std::move(study)}; },
+const Shape<Study>& shape_of() {
+  static const Shape<Study> shape = shape_as<Study, S>(
+      S::shape(), [](S study) { return Study{std::move(study)}; },
       [](const Study& study) { return std::get<S>(study); });
+  return shape;
 }
 
 // One row for each alternative of Study, in their order.
@@ -22,7 +24,7 @@ template <typename... S>
 struct Rows<std::variant<S...>> {
   static constexpr std::array<std::string_view, sizeof...(S)> kNames{S::kName...};
   static constexpr std::array<std::string_view, sizeof...(S)> kTitles{S::kTitle...};
-  static std::array<Shape<Study>, sizeof...(S)> shapes() { return {any(S::shape())...}; }
+  static constexpr std::array<const Shape<Study>& (*)(), sizeof...(S)> kShapes{shape_of<S>...};
 };
 using Kinds = Rows<Study>;
 
@@ -67,8 +69,7 @@ std::uint64_t standard_samples(SensitivityMethod method) {
 }
 
 const Shape<Study>& study_shape(StudyKind kind) {
-  static const auto all = Kinds::shapes();
-  return all.at(static_cast<std::size_t>(kind));
+  return Kinds::kShapes.at(static_cast<std::size_t>(kind))();
 }
 
 Schema study_schema(StudyKind kind) { return study_shape(kind).schema; }
