@@ -29,10 +29,19 @@ HeldPoint Holding::held(double torque, Sought sought) {
   if (!transmitted && !waves_.has_static_excess())
     return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
   loaded_.carry(torque);
-  auto wave = waves_.has_static_excess() ? std::nullopt : straight(sought);
+  if (waves_.has_static_excess()) return scanned(sought);
+  auto wave = straight(sought);
+  if (!wave && sought == Sought::drive && follows_by_frequency()) wave = out_of_voltage();
   if (!wave) return scanned(sought);
   last_ = std::move(wave);
   return drive_of(*last_, sought);
+}
+
+// The wave with R = 0, if it needs all the voltage there is or more, but for rounding: where there is just enough, (Y2.3) is singular.
+std::optional<LoadedWave> Holding::out_of_voltage() const {
+  auto least = straight(Sought::least_voltage);
+  const double enough = waves_.drive() * (1 - kHeldRules.settled);
+  return least && least->force.force() > enough ? std::move(least) : std::nullopt;
 }
 
 // By Newton's method from the wave of the torque before, or from a likely one. Nothing where that does not lead straight to the first

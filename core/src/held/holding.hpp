@@ -42,6 +42,7 @@ class Holding {
   bool follows_by_frequency() const { return control_ == DriveControl::frequency; }
   std::optional<LoadedWave> straight(Sought sought) const;
   std::optional<LoadedWave> from(LoadedWave wave, Sought sought) const;
+  std::optional<LoadedWave> out_of_voltage() const;
   HeldPoint scanned(Sought sought) const;
   double likely_omega(Sought sought) const;
   Step newton_step(const LoadedWave& w, const LoadedWave& slopes, Sought sought) const;
