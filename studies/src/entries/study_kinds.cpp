@@ -49,6 +49,21 @@ Shape<MotorEntry> motor_as(const Shape<T>& shape) {
       [](const MotorEntry& entry) { return std::get<T>(entry); });
 }
 
+Shape<StudyText> file_with(const Shape<Study>& study) {
+  return mapping<StudyText>(
+      "a study for twum",
+      {version_field<StudyText>(),
+       required<StudyText>(
+           "motor",
+           one_of<MotorEntry>(
+               "the motor: a path relative to the folder of this file, or its entries",
+               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
+               [](const MotorEntry& entry) { return entry.index(); }),
+           &StudyText::motor),
+       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
+       required<StudyText>("study", study, &StudyText::study)});
+}
+
 }  // namespace
 
 std::span<const std::string_view> study_kinds() { return Kinds::kNames; }
@@ -75,19 +90,14 @@ const Shape<Study>& study_shape(StudyKind kind) {
 Schema study_schema(StudyKind kind) { return study_shape(kind).schema; }
 
 const Shape<StudyText>& study_file_shape() {
-  static const Shape<StudyText> shape = mapping<StudyText>(
-      "a study for twum",
-      {version_field<StudyText>(),
-       required<StudyText>(
-           "motor",
-           one_of<MotorEntry>(
-               "the motor: a path relative to the folder of this file, or its entries",
-               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
-               [](const MotorEntry& entry) { return entry.index(); }),
-           &StudyText::motor),
-       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
-       required<StudyText>("study", any_study(), &StudyText::study)});
+  static const Shape<StudyText> shape = file_with(any_study());
   return shape;
+}
+
+Shape<StudyText> study_file_shape(StudyKind kind) {
+  return file_with(one_of<Study>(
+      "what is asked", {study_shape(kind)}, [](const Study&) { return std::size_t{0}; }, "kind",
+      {std::string(to_string(kind))}));
 }
 
 const Schema& study_file_schema() { return study_file_shape().schema; }
