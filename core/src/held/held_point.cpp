@@ -57,8 +57,7 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed, Dri
 }
 
 HeldPoint held_point(const MotorDesign& design, double torque, double speed) {
-  return within_drive(design.stator,
-                      held_point(design, torque, speed, control_of(design.stator)));
+  return within_drive(design.stator, held_point(design, torque, speed, control_of(design.stator)));
 }
 
 std::vector<HeldPoint> held_points(const MotorDesign& design, std::span<const double> torques,

@@ -45,14 +45,16 @@ std::optional<LoadedWave> Holding::out_of_voltage() const {
 }
 
 // By Newton's method from the wave of the torque before, or from a likely one. Nothing where that does not lead straight to the first
-// wave that carries the load.
+// wave that carries the load, on the flank of the stator's own resonance.
 std::optional<LoadedWave> Holding::straight(Sought sought) const {
   const LoadedWave* const below = last_ ? &*last_ : nullptr;
   auto wave = last_ ? from(*last_, sought) : std::nullopt;
   if (!wave)
-    if (auto likely = loaded_.likely(follows_by_frequency() ? likely_omega(sought) : waves_.omega()))
+    if (auto likely =
+            loaded_.likely(follows_by_frequency() ? likely_omega(sought) : waves_.omega()))
       wave = from(std::move(*likely), sought);
-  return wave && loaded_.is_first(*wave, below) ? std::move(wave) : std::nullopt;
+  if (!wave || (follows_by_frequency() && !is_on_own_side(wave->omega))) return {};
+  return loaded_.is_first(*wave, below) ? std::move(wave) : std::nullopt;
 }
 
 std::optional<LoadedWave> Holding::from(LoadedWave wave, Sought sought) const {
@@ -77,19 +79,18 @@ HeldPoint Holding::scanned(Sought sought) const {
 // of the crest.
 double Holding::likely_omega(Sought sought) const {
   const double amplitude = loaded_.likely_amplitude(waves_.omega());
-  const double power =
-      std::fabs(loaded_.torque()) * waves_.crest_speed_per_amplitude() * amplitude;
+  const double power = std::fabs(loaded_.torque()) * waves_.crest_speed_per_amplitude() * amplitude;
   LoadedWave likely;
-  likely.force = waves_.balance(
-      {0, power, 0, 0, 0, waves_.motor(amplitude).mean.pressure_force}, amplitude);
+  likely.force =
+      waves_.balance({0, power, 0, 0, 0, waves_.motor(amplitude).mean.pressure_force}, amplitude);
   const double gap = likely.force.real + flank_of(likely, sought);
-  const double square =
-      waves_.omega() * waves_.omega() + gap / (waves_.modes().mass * amplitude);
+  const double square = waves_.omega() * waves_.omega() + gap / (waves_.modes().mass * amplitude);
   return square > 0 ? std::sqrt(square) : waves_.omega();
 }
 
 // From a wave, with its derivatives or those of one nearby.
-Holding::Step Holding::newton_step(const LoadedWave& w, const LoadedWave& slopes, Sought sought) const {
+Holding::Step Holding::newton_step(const LoadedWave& w, const LoadedWave& slopes,
+                                   Sought sought) const {
   const double flank = flank_of(w, sought);
   const double turns = flank > 0 ? w.force.imaginary / flank : 0;
   const double gap = w.force.real + flank, missing = loaded_.missing(w);
@@ -98,10 +99,8 @@ Holding::Step Holding::newton_step(const LoadedWave& w, const LoadedWave& slopes
   const double determinant =
       slopes.torque_in_amplitude * in_omega - slopes.torque_in_omega * in_amplitude;
   const double grown = (missing * in_omega + gap * slopes.torque_in_omega) / determinant,
-               raised =
-                   (-gap * slopes.torque_in_amplitude - missing * in_amplitude) / determinant;
-  return {grown, raised,
-          std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega)};
+               raised = (-gap * slopes.torque_in_amplitude - missing * in_amplitude) / determinant;
+  return {grown, raised, std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega)};
 }
 
 // Both by Newton's method. Nothing where that does not lead straight there.
@@ -165,7 +164,8 @@ double Holding::flank_of(const LoadedWave& w, Sought sought) const {
 // The drive of a wave, which for (Y2.3) may be the one that needs the least voltage because there is not enough.
 HeldPoint Holding::drive_of(const LoadedWave& w, Sought sought) const {
   HeldPoint found = held_point_of(w);
-  if (follows_by_frequency() && flank_squared(w, sought) < 0 && found.status != HeldStatus::not_converged)
+  if (follows_by_frequency() && flank_squared(w, sought) < 0 &&
+      found.status != HeldStatus::not_converged)
     found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
   return found;
 }
@@ -185,8 +185,8 @@ HeldPoint Holding::held_point_of(const LoadedWave& w) const {
   held.voltage = modes_ ? modes_->rms_voltage(w.force.force()) : kNoValue;
   const DrivenWaves there = waves_.at_frequency(w.omega);
   held.radial_slices = waves_.model().track.nodes;
-  held.point = operating_point_of(there.motor(w.amplitude), w.solved, speed_,
-                                  modes_ ? &*modes_ : nullptr);
+  held.point =
+      operating_point_of(there.motor(w.amplitude), w.solved, speed_, modes_ ? &*modes_ : nullptr);
   if (control_ == DriveControl::amplitude) return held;
   const DrivenWaves::LevelSlopes s = there.slopes_of(w.solved, w.amplitude, speed_);
   if (!there.stability(s.in_amplitude).stable()) held.status = HeldStatus::unstable_amplitude;
@@ -222,14 +222,17 @@ HeldLine::HeldLine(const MotorDesign& design, double speed, DriveControl control
     : design_(design), speed_(speed), control_(control) {
   require_held(design, speed, control);
   if (design.stator.radial_slices != kAutoSlices)
-    holding_.emplace(design, track_rule(with_wave(design, design.stator.amplitude)), speed, control);
+    holding_.emplace(design, track_rule(with_wave(design, design.stator.amplitude)), speed,
+                     control);
 }
 
 HeldPoint HeldLine::held(double torque, Holding::Sought sought) {
   if (!std::isfinite(torque)) throw InputError("a held torque must be finite");
-  HeldPoint held = holding_ ? holding_->held(torque, sought)
-                            : Holding(design_, track_of(torque), speed_, control_).held(torque, sought);
-  if (design_.stator.radial_slices <= kAutoSlices) held.radial_slices *= -1;  // as Motor::radial_slices()
+  HeldPoint held = holding_
+                       ? holding_->held(torque, sought)
+                       : Holding(design_, track_of(torque), speed_, control_).held(torque, sought);
+  if (design_.stator.radial_slices <= kAutoSlices)
+    held.radial_slices *= -1;  // as Motor::radial_slices()
   return held;
 }
 

@@ -46,8 +46,8 @@ LoadedWave LoadedWaves::found(double amplitude, double omega, const LoadedWave* 
   const DrivenWaves there = waves_.at_frequency(omega);
   std::optional<WarmStart> start;
   if (near)
-    start = moved(near->solved.start(), near->states, amplitude - near->amplitude,
-                  omega - near->omega);
+    start =
+        moved(near->solved.start(), near->states, amplitude - near->amplitude, omega - near->omega);
   LoadedWave w;
   w.amplitude = amplitude, w.omega = omega;
   w.solved = solve_point(there.motor(amplitude), speed_, start ? &*start : nullptr);
@@ -211,8 +211,8 @@ double LoadedWaves::towards_load(const LoadedWave& near, const LoadedWave* befor
                                  const Reached& ends) const {
   const auto& [unused, low, high] = ends;
   const bool rises = before && before->torque_in_amplitude > 0 && near.torque_in_amplitude > 0;
-  const double next = rises ? on_cubic(*before, near)
-                            : near.amplitude + missing(near) / near.torque_in_amplitude;
+  const double next =
+      rises ? on_cubic(*before, near) : near.amplitude + missing(near) / near.torque_in_amplitude;
   const double longest = std::exp(kHeldRules.blind);
   const double least = low ? low->amplitude : high->amplitude / longest,
                most = high ? high->amplitude : low->amplitude * longest;
@@ -230,8 +230,7 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
   for (int i = 0; i < kHeldRules.most_tries && near.ok(); ++i) {
     const double off = std::fabs(torque_ - near.torque);
     (near.torque < torque_ ? low : high) = near;
-    if (low && high &&
-        high->amplitude - low->amplitude <= kHeldRules.settled * high->amplitude) {
+    if (low && high && high->amplitude - low->amplitude <= kHeldRules.settled * high->amplitude) {
       // A jump of the torque passes by the load.
       const double scale = std::fabs(torque_) + plateau_;
       return high->torque - low->torque <= kHeldRules.jump * scale ? high : std::nullopt;
@@ -241,8 +240,8 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
                                : towards_load(near, before ? &*before : nullptr, ends);
     if (std::fabs(next - near.amplitude) <= kHeldRules.settled * near.amplitude) return near;
     LoadedWave tried = found(next, near.omega, &near);
-    const bool settled = std::fabs(torque_ - tried.torque) <=
-                         kHeldRules.settled * next * near.torque_in_amplitude;
+    const bool settled =
+        std::fabs(torque_ - tried.torque) <= kHeldRules.settled * next * near.torque_in_amplitude;
     if (tried.ok() && settled) {
       tried.take_slopes(near);
       return tried;

@@ -95,9 +95,9 @@ const Shape<StudyText>& study_file_shape() {
 }
 
 Shape<StudyText> study_file_shape(StudyKind kind) {
-  return file_with(one_of<Study>(
-      "what is asked", {study_shape(kind)}, [](const Study&) { return std::size_t{0}; }, "kind",
-      {std::string(to_string(kind))}));
+  return file_with(one_of<Study>("what is asked", {study_shape(kind)},
+                                 [](const Study&) { return std::size_t{0}; }, "kind",
+                                 {std::string(to_string(kind))}));
 }
 
 const Schema& study_file_schema() { return study_file_shape().schema; }

@@ -109,8 +109,7 @@ TEST_CASE("the torque law is close to the waves of usual elastic layers (Y2.7)",
   const DrivenWaves waves(design, {});
   const double speed = 9, most = LoadedWaves(waves, speed).plateau();
   for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 0.95}) {
-    const HeldPoint held =
-        Holding(design, {}, speed, DriveControl::amplitude).held(share * most);
+    const HeldPoint held = Holding(design, {}, speed, DriveControl::amplitude).held(share * most);
     CAPTURE(share);
     CHECK(TorqueLaw(waves, speed).amplitude(share) == Approx(held.amplitude).epsilon(0.05));
   }

@@ -294,8 +294,7 @@ class MapRun : public StudyKindRun {
   MapResult::Duty duty_of(const Motor& motor, const DutyPoint& duty) const {
     const HeldPoint held = held_point(motor.design(), duty.torque, duty.speed);
     return {point_of(motor, duty.torque, duty.speed, held),
-            held.status == HeldStatus::ok ? kNoValue : held.needed,
-            unit_of(held),
+            held.status == HeldStatus::ok ? kNoValue : held.needed, unit_of(held),
             largest_torque(motor, duty.speed) - duty.torque};
   }
 
