@@ -21,7 +21,8 @@ class Map(program.Case):
         table = csv.DictReader(io.StringIO(self.ok("evaluate", DRIVE, *ONE, "--designs", designs, "--metrics", asked)))
         told = [float(value) for name, value in next(table).items() if name.startswith("electrical_power_at")]
         for point, value in zip(points, told, strict=True):  # two ways to the same sum, each rounded some ten times
-            self.assertAlmostEqual(point["electrical_power"] / value, 1, delta=1e-13)
+            # Either search ends at 1e-12 of the amplitude: a map begins each at its neighbour, a metric begins alone.
+            self.assertAlmostEqual(point["electrical_power"] / value, 1, delta=1e-10)
 
     def test_the_table_of_rows_has_all_points(self):
         rows = list(csv.DictReader(io.StringIO(

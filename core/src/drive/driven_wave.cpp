@@ -140,10 +140,16 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
                                              double accuracy, const SolvedPoint* near,
                                              Continued along) const {
+  return slopes_of(near && near->jumps() ? solve_point_near(motor(amplitude), speed, *near,
+                                                            guess ? *guess : near->start())
+                                         : solve_point(motor(amplitude), speed, guess, accuracy),
+                   amplitude, speed, along);
+}
+
+DrivenWaves::LevelSlopes DrivenWaves::slopes_of(SolvedPoint solved, double amplitude, double speed,
+                                                Continued along) const {
   LevelSlopes s;
-  s.solved = near && near->jumps()
-                 ? solve_point_near(motor(amplitude), speed, *near, guess ? *guess : near->start())
-                 : solve_point(motor(amplitude), speed, guess, accuracy);
+  s.solved = std::move(solved);
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;

@@ -95,6 +95,9 @@ class DrivenWaves {
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr,
                      double accuracy = 0, const SolvedPoint* near = nullptr,
                      Continued along = Continued::speed) const;
+  /// The same of a wave that is solved.
+  LevelSlopes slopes_of(SolvedPoint solved, double amplitude, double speed,
+                        Continued along = Continued::speed) const;
 
   /// The force that a wave needs from the drive, from the numbers of its contact (D2.3, D8.3).
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {

@@ -2,6 +2,7 @@
 #include "held/envelope.hpp"
 
 #include "drive/driven_wave.hpp"
+#include "held/holding.hpp"
 #include "point/slice_count.hpp"
 
 #include <twum/base/error.hpp>
@@ -29,10 +30,6 @@ constexpr int kDoublings = 40;
 constexpr double kAnySpeed = 1;
 // Bits of the corner's place.
 constexpr int kBits = 46;
-
-DriveControl control_of(const Stator& stator) {
-  return stator.voltage ? stator.control : DriveControl::amplitude;
-}
 
 double share_over(double has, double needs) { return needs > 0 ? has / needs - 1 : kNoValue; }
 
@@ -62,29 +59,35 @@ double Envelope::with_wave(double torque) const {
   return std::clamp(torque, -kNearlyAll * largest_, kNearlyAll * largest_);
 }
 
-DriveReserve Envelope::by_frequency(double torque, double speed) const {
-  const HeldPoint least = least_voltage_point(design_, torque, speed);
+HeldLine Envelope::line(double speed) const { return {design_, speed, control_}; }
+
+DriveReserve Envelope::by_frequency(HeldLine& line, double torque) const {
+  const HeldPoint least = line.held(torque, Holding::Sought::least_voltage);
   DriveReserve reserve{share_over(*design_.stator.voltage, least.voltage), DriveEnd::voltage,
                        least};
   const auto& range = design_.stator.frequency_range;
   if (!range || !(least.frequency > 0)) return reserve;
-  const HeldPoint wave =
-      reserve.share > 0 ? held_point(design_, torque, speed, DriveControl::frequency) : least;
+  const HeldPoint wave = reserve.share > 0 ? line.held(torque) : least;
   const double inside =
       std::min(wave.frequency / range->first - 1, 1 - wave.frequency / range->second);
   if (inside < reserve.share) reserve = {inside, DriveEnd::frequency, wave};
   return reserve;
 }
 
-DriveReserve Envelope::reserve(double torque, double speed) const {
-  if (control_ == DriveControl::frequency) return by_frequency(torque, speed);
-  const HeldPoint wave = held_point(design_, torque, speed, control_);
+DriveReserve Envelope::reserve(HeldLine& line, double torque) const {
+  if (control_ == DriveControl::frequency) return by_frequency(line, torque);
+  const HeldPoint wave = line.held(torque);
   if (control_ == DriveControl::amplitude)
     return {share_over(design_.stator.amplitude, wave.amplitude), DriveEnd::amplitude, wave};
   const double share = share_over(*design_.stator.voltage, wave.voltage);
   const double flank = -std::cos(flank_lag(design_, wave));  // -R / H
   if (flank < share) return {flank, DriveEnd::upper_flank, wave};
   return {share, DriveEnd::voltage, wave};
+}
+
+DriveReserve Envelope::reserve(double torque, double speed) const {
+  HeldLine at_speed = line(speed);
+  return reserve(at_speed, torque);
 }
 
 Envelope::Corner Envelope::corner(double torque, double speed) const {
@@ -101,7 +104,8 @@ Envelope::Corner Envelope::out_of_reach(double torque, double speed) const {
 
 Envelope::Corner Envelope::at_speed(double speed) const {
   const double top = kTop * largest_;
-  const auto share_at = [&](double torque) { return reserve(torque, speed).share; };
+  HeldLine waves = line(speed);
+  const auto share_at = [&](double torque) { return reserve(waves, torque).share; };
   double high = top, at_high = share_at(high);
   if (at_high >= 0) return {HeldStatus::ok, largest_, speed, DriveEnd::friction, {}};
   for (int k = 1; k <= kTorques; ++k) {

@@ -28,6 +28,8 @@ struct DriveReserve {
 /// (D8.3) [rad].
 double flank_lag(const MotorDesign& design, const HeldPoint& held);
 
+class HeldLine;
+
 /// The torques and speeds that a motor's drive holds.
 class Envelope {
  public:
@@ -51,9 +53,11 @@ class Envelope {
   Corner at_torque(double torque) const;
 
  private:
+  HeldLine line(double speed) const;
+  DriveReserve reserve(HeldLine& line, double torque) const;
+  DriveReserve by_frequency(HeldLine& line, double torque) const;
   Corner corner(double torque, double speed) const;
   Corner out_of_reach(double torque, double speed) const;
-  DriveReserve by_frequency(double torque, double speed) const;
   double highest_speed(double torque) const;
 
   const MotorDesign& design_;

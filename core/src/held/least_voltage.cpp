@@ -3,6 +3,7 @@
 
 #include "drive/drive.hpp"
 #include "drive/force_line.hpp"
+#include "held/holding.hpp"
 #include "point/slice_count.hpp"
 
 #include <twum/base/no_value.hpp>
@@ -32,10 +33,6 @@ struct SpeedSamples {
   int bits{20};
 };
 constexpr SpeedSamples kSamples;
-
-HeldPoint without_wave(HeldStatus status) {
-  return {status, kNoValue, kNoValue, kNoValue, kNoValue, false, 1, {}};
-}
 
 }  // namespace
 

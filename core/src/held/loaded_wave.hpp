@@ -9,10 +9,18 @@ namespace twum::inline v0_1::core {
 
 /// Every constant of the search for held points.
 struct HeldRules {
-  /// ln A from wave to wave below the first that carries the torque. Ripples of a layer that rings are longer.
-  double longest = 0.04, shortest = 2e-3;
-  /// Without ripples: the first step, and how each is longer than the last.
-  double first = 0.16, growth = 1.3;
+  /// ln A from wave to wave below the first that carries the torque. A step is as long as `longest` only where the torque rises or
+  /// falls evenly along it; ripples of a layer that rings are longer than `finest`, jumps (mu_0 > mu) are approached by steps down
+  /// to `shortest`.
+  double longest = 0.4, finest = 0.04, shortest = 2e-3;
+  /// Even: the slopes at both ends are no more than this many times the mean slope, and no less than that part of it.
+  double even = 2;
+  /// Of the distance at which the torque is expected: most often it is reached then.
+  double beyond = 1.2;
+  /// ln A of the longest step towards a load of which one side is not known yet.
+  double blind = 0.5;
+  /// What a step leaves of the difference from the load, at most, unless the bracket is to be halved.
+  double fast = 0.25;
   /// The search ends at this many times the amplitude at which the stator's crest is as fast as the rotor.
   double farthest = 1e4;
   int most_steps = 400, most_tries = 80;
@@ -35,50 +43,78 @@ inline constexpr HeldRules kHeldRules{};
 /// A wave at a speed, with the derivatives of its torque and of its force from the drive in amplitude and frequency.
 struct LoadedWave {
   double amplitude{0}, omega{0};
-  double torque{0}, torque_in_amplitude{0}, torque_in_omega{0};
-  /// R and I of the drive's force (D2.3) and their derivatives.
-  WaveBalance<double> force{0, 0}, in_amplitude{0, 0}, in_omega{0, 0};
-  DrivenWaves::LevelSlopes slopes{};
+  SolvedPoint solved;
+  double torque{0};
+  WaveBalance<double> force{0, 0};  ///< R and I of the drive's force (D2.3)
+  /// Of a wave that is differentiated. @{
+  double torque_in_amplitude{0}, torque_in_omega{0};
+  WaveBalance<double> in_amplitude{0, 0}, in_omega{0, 0};
+  MovingStates states;  ///< how the layer moves with the wave
+  /// @}
 
-  bool ok() const { return slopes.solved.status == PointStatus::ok; }
+  bool ok() const { return solved.status == PointStatus::ok; }
+  /// Takes the derivatives of a wave next to it.
+  void take_slopes(const LoadedWave& near);
 };
 
 /// A motor at one speed under one load, whose drive follows.
 class LoadedWaves {
  public:
-  LoadedWaves(const DrivenWaves& waves, double torque, double speed)
-      : waves_(waves), torque_(torque), speed_(speed) {}
+  LoadedWaves(const DrivenWaves& waves, double speed);
+
+  /// From now on the load is another one; at first it is none.
+  void carry(double torque);
 
   double torque() const { return torque_; }
   /// Torque of a contact that slips and drives all through, the largest with mu_0 = mu.
-  double plateau() const;
-  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
+  double plateau() const { return plateau_; }
 
-  /// Two waves of a frequency between which the torque first reaches the load as the amplitude rises.
-  struct Bracket {
-    LoadedWave low, high;
+  /// A wave without its derivatives; `near` is one that has them.
+  LoadedWave found(double amplitude, double omega, const LoadedWave* near = nullptr) const;
+  void differentiate(LoadedWave& wave) const;
+  /// What a wave lacks of the load, as Newton's method for the cube root of T_p - T sees it [N m].
+  double missing(const LoadedWave& wave) const;
+
+  /// A wave of a frequency that carries about the load, whether that is its first or not. Nothing if there is no telling: with
+  /// mu_0 > mu, which makes the torque jump, or if its layer has no periodic state.
+  std::optional<LoadedWave> likely(double omega) const;
+  double likely_amplitude(double omega) const;
+  /// True if no smaller amplitude of its frequency carries the load, too.
+  /// @param lower  the first wave that carries another load; null if none is known
+  bool is_first(const LoadedWave& wave, const LoadedWave* lower) const;
+
+  /// Where the torque reaches the load as the amplitude rises.
+  struct Reached {
+    LoadedWave near;                      ///< from here Newton's method leads to the load
+    std::optional<LoadedWave> low, high;  ///< waves that carry less and more, where they are known
   };
   /// Nothing if no amplitude carries the load; `lost` then says whether amplitudes without a periodic state were passed by.
   struct Search {
-    std::optional<Bracket> found;
+    std::optional<Reached> found;
     bool lost{false};
   };
   Search first_reached(double omega) const;
-  /// A wave between them, from which Newton's method leads to the load.
-  LoadedWave within(const Bracket& ends) const;
-  /// The wave between them that carries the load (Y2.1); nothing where the torque jumps past it, or has no periodic state.
-  std::optional<LoadedWave> solve_between(Bracket ends) const;
+  /// The wave there that carries the load (Y2.1), with the slopes of one next to it; nothing where the torque jumps past it, or has no
+  /// periodic state.
+  std::optional<LoadedWave> solve(Reached ends) const;
   /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
   std::optional<LoadedWave> solve_at_frequency(const LoadedWave& known, double omega) const;
 
  private:
-  std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
+  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
   LoadedWave below_load(double omega) const;
-  bool is_monotone() const;
-  double next_step(const LoadedWave& from, double last) const;
+  bool is_even(const LoadedWave& low, const LoadedWave& high) const;
+  bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
+  double next_step(const LoadedWave& from) const;
+  std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
+  Reached between(LoadedWave low, LoadedWave high) const;
+  double on_cubic(const LoadedWave& p, const LoadedWave& q) const;
+  double towards_load(const LoadedWave& near, const LoadedWave* before, const Reached& ends) const;
 
   const DrivenWaves& waves_;
-  double torque_, speed_;
+  double speed_, plateau_;
+  double torque_{0};
+  double root_{0};  // cube root of T_p - T_L
 };
 
 }  // namespace twum::inline v0_1::core

@@ -345,7 +345,7 @@ void validate(const StudyFile& file) {
     const KnownMetrics known(own_metrics(file.asked));
     YamlNode root = load_yaml(diagnostics);
     StudyText text;
-    study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);
+    study_file_shape(file.kind()).read(text, root, {{}, {1, 1}}, diagnostics);
     diagnostics.throw_if_any();
     check_with_motor(file.asked, file.motor.design, root, true, diagnostics);
     diagnostics.throw_if_any();

@@ -8,11 +8,13 @@
 namespace twum::inline v0_1::studies {
 namespace {
 
+// Made when first asked for: the shapes of all kinds take longer to make than many a study runs.
 template <typename S>
-Shape<Study> any(const Shape<S>& shape) {
-  return shape_as<Study, S>(
-      shape, [](S study) { return Study{std::move(study)}; },
+const Shape<Study>& shape_of() {
+  static const Shape<Study> shape = shape_as<Study, S>(
+      S::shape(), [](S study) { return Study{std::move(study)}; },
       [](const Study& study) { return std::get<S>(study); });
+  return shape;
 }
 
 // One row for each alternative of Study, in their order.
@@ -22,7 +24,7 @@ template <typename... S>
 struct Rows<std::variant<S...>> {
   static constexpr std::array<std::string_view, sizeof...(S)> kNames{S::kName...};
   static constexpr std::array<std::string_view, sizeof...(S)> kTitles{S::kTitle...};
-  static std::array<Shape<Study>, sizeof...(S)> shapes() { return {any(S::shape())...}; }
+  static constexpr std::array<const Shape<Study>& (*)(), sizeof...(S)> kShapes{shape_of<S>...};
 };
 using Kinds = Rows<Study>;
 
@@ -47,6 +49,21 @@ Shape<MotorEntry> motor_as(const Shape<T>& shape) {
       [](const MotorEntry& entry) { return std::get<T>(entry); });
 }
 
+Shape<StudyText> file_with(const Shape<Study>& study) {
+  return mapping<StudyText>(
+      "a study for twum",
+      {version_field<StudyText>(),
+       required<StudyText>(
+           "motor",
+           one_of<MotorEntry>(
+               "the motor: a path relative to the folder of this file, or its entries",
+               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
+               [](const MotorEntry& entry) { return entry.index(); }),
+           &StudyText::motor),
+       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
+       required<StudyText>("study", study, &StudyText::study)});
+}
+
 }  // namespace
 
 std::span<const std::string_view> study_kinds() { return Kinds::kNames; }
@@ -67,26 +84,20 @@ std::uint64_t standard_samples(SensitivityMethod method) {
 }
 
 const Shape<Study>& study_shape(StudyKind kind) {
-  static const auto all = Kinds::shapes();
-  return all.at(static_cast<std::size_t>(kind));
+  return Kinds::kShapes.at(static_cast<std::size_t>(kind))();
 }
 
 Schema study_schema(StudyKind kind) { return study_shape(kind).schema; }
 
 const Shape<StudyText>& study_file_shape() {
-  static const Shape<StudyText> shape = mapping<StudyText>(
-      "a study for twum",
-      {version_field<StudyText>(),
-       required<StudyText>(
-           "motor",
-           one_of<MotorEntry>(
-               "the motor: a path relative to the folder of this file, or its entries",
-               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
-               [](const MotorEntry& entry) { return entry.index(); }),
-           &StudyText::motor),
-       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
-       required<StudyText>("study", any_study(), &StudyText::study)});
+  static const Shape<StudyText> shape = file_with(any_study());
   return shape;
+}
+
+Shape<StudyText> study_file_shape(StudyKind kind) {
+  return file_with(one_of<Study>("what is asked", {study_shape(kind)},
+                                 [](const Study&) { return std::size_t{0}; }, "kind",
+                                 {std::string(to_string(kind))}));
 }
 
 const Schema& study_file_schema() { return study_file_shape().schema; }

@@ -25,5 +25,7 @@ struct StudyText {
 
 /// Shape of a study file; static lifetime.
 const Shape<StudyText>& study_file_shape();
+/// The same of studies of one kind: the shapes of all take longer to make than many a study runs.
+Shape<StudyText> study_file_shape(StudyKind kind);
 
 }  // namespace twum::inline v0_1::studies

@@ -4,6 +4,9 @@
 #include <twum/core/motor_design.hpp>
 #include <twum/core/operating_point.hpp>
 
+#include <span>
+#include <vector>
+
 namespace twum::inline v0_1 {
 
 /// Whether a drive can hold a torque at a speed.
@@ -48,6 +51,11 @@ struct HeldPoint {
 HeldPoint held_point(const MotorDesign& design, double torque, double speed, DriveControl control);
 /// The same as the design's drive holds it: with its control, within its voltage or amplitude and its range of frequencies.
 HeldPoint held_point(const MotorDesign& design, double torque, double speed);
+
+/// The same for each of some torques at one speed, up to rounding. In rising order they take half the time, because the search for
+/// each begins at the wave of the one before.
+std::vector<HeldPoint> held_points(const MotorDesign& design, std::span<const double> torques,
+                                   double speed);
 
 /// The wave at the lowest voltage with which any frequency holds the torque at the speed: R = 0 (Y4.1). Its `voltage` is that
 /// voltage, whatever the design's.

@@ -100,6 +100,12 @@ struct MappedMotor {
   Motor motor;
 };
 
+// The torques of one speed, which are held one after the other; made when a row first asks for one of them.
+struct MapLine {
+  std::once_flag made;
+  std::vector<HeldPoint> held;
+};
+
 std::vector<MappedMotor> motors_of(const MapStudy& asked, const MotorDesign& base) {
   std::vector<MappedMotor> motors;
   for (const FamilyMotor& one : family_motors(asked.family, base))
@@ -136,7 +142,8 @@ class MapRun : public StudyKindRun {
   MapRun(const MapStudy& asked, const MotorDesign& base)
       : asked_(asked),
         motors_(motors_of(asked, base)),
-        columns_(motors_.front().motor.design(), asked.quantity) {
+        columns_(motors_.front().motor.design(), asked.quantity),
+        lines_(motors_.size() * asked.points.speeds) {
     if (asked.family) family_ = family_column(asked.family->parameter);
   }
 
@@ -170,11 +177,11 @@ class MapRun : public StudyKindRun {
     if (asked.stage >= motors_.size() || asked.index >= count()) return {};
     StoredRow row{asked.stage, asked.index, {}, "ok", {}};
     const MappedMotor& one = motors_[row.stage];
-    const Ends& to = ends();
-    const double speed = speed_of(row.index / asked_.points.torques);
-    const double torque = to.torque * static_cast<double>(row.index % asked_.points.torques) /
-                          static_cast<double>(asked_.points.torques - 1);
-    const MapResult::Point point = point_at(one.motor, torque, speed);
+    const std::uint64_t line = row.index / asked_.points.torques,
+                        place = row.index % asked_.points.torques;
+    const double speed = speed_of(line), torque = torque_of(place);
+    const MapResult::Point point =
+        point_of(one.motor, torque, speed, held_at(row.stage, line)[place]);
     if (family_) row.values.push_back(one.value);
     row.values.insert(row.values.end(), {speed, torque});
     row.values.insert(row.values.end(), point.values.begin(), point.values.end());
@@ -197,6 +204,22 @@ class MapRun : public StudyKindRun {
   double speed_of(std::uint64_t number) const {
     return ends().speed * static_cast<double>(number + 1) /
            static_cast<double>(asked_.points.speeds);
+  }
+
+  double torque_of(std::uint64_t number) const {
+    return ends().torque * static_cast<double>(number) /
+           static_cast<double>(asked_.points.torques - 1);
+  }
+
+  // The same whichever thread asks first: a line always begins at its first torque.
+  const std::vector<HeldPoint>& held_at(std::uint64_t motor, std::uint64_t number) const {
+    MapLine& line = lines_[motor * asked_.points.speeds + number];
+    std::call_once(line.made, [&] {
+      std::vector<double> torques;
+      for (std::uint64_t j = 0; j < asked_.points.torques; ++j) torques.push_back(torque_of(j));
+      line.held = held_points(motors_[motor].motor.design(), torques, speed_of(number));
+    });
+    return line.held;
   }
 
   // The ends that are not given contain what the drives of all motors hold.
@@ -232,8 +255,8 @@ class MapRun : public StudyKindRun {
     return ends;
   }
 
-  MapResult::Point point_at(const Motor& motor, double torque, double speed) const {
-    const HeldPoint held = held_point(motor.design(), torque, speed);
+  MapResult::Point point_of(const Motor& motor, double torque, double speed,
+                            const HeldPoint& held) const {
     return {speed, torque, to_string(held.status), columns_.values(motor, torque, speed, held)};
   }
 
@@ -263,17 +286,18 @@ class MapRun : public StudyKindRun {
   MapResult::Corner corner_at(std::size_t number, std::uint64_t i) const {
     const double speed = speed_of(i), torque = ends().largest_torque[number][i];
     MapResult::Corner corner{speed, torque, std::vector<double>(columns_.names().size(), kNoValue)};
-    if (!std::isnan(torque))
-      corner.values = point_at(motors_[number].motor, kInside * torque, speed).values;
+    if (std::isnan(torque)) return corner;
+    const Motor& motor = motors_[number].motor;
+    const double inside = kInside * torque;
+    corner.values =
+        columns_.values(motor, inside, speed, held_point(motor.design(), inside, speed));
     return corner;
   }
 
   MapResult::Duty duty_of(const Motor& motor, const DutyPoint& duty) const {
     const HeldPoint held = held_point(motor.design(), duty.torque, duty.speed);
-    return {{duty.speed, duty.torque, to_string(held.status),
-             columns_.values(motor, duty.torque, duty.speed, held)},
-            held.status == HeldStatus::ok ? kNoValue : held.needed,
-            unit_of(held),
+    return {point_of(motor, duty.torque, duty.speed, held),
+            held.status == HeldStatus::ok ? kNoValue : held.needed, unit_of(held),
             largest_torque(motor, duty.speed) - duty.torque};
   }
 
@@ -281,7 +305,8 @@ class MapRun : public StudyKindRun {
   std::vector<MappedMotor> motors_;
   MapColumns columns_;
   std::optional<StoredColumn> family_;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::vector<MapLine> lines_;  // speed by speed, motor by motor
+  mutable std::mutex mutex_;            // of what follows
   mutable std::optional<Ends> ends_;
 };
 
