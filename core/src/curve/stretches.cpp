@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kStretches = 8;  // sequences of zones between two points
 constexpr double kSteady = 1e-4;       // of the holding torque: what a mean slope may leave
-constexpr double kGapEnd = 1e-11;      // of the crest speed
+constexpr double kGapEnd = 1e-13;      // of the crest speed
 constexpr double kJump = 1e-6;  // of the holding torque: more than torque moves in so short a share
 
 }  // namespace
