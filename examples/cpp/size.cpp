@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the motor for 0.5 N.m at 100 rpm within three limits that has the lowest pressure on its layer.
+// Sizes a motor for two duties that its drive holds by the frequency, with the least electrical power at the first.
 #include <twum/twum.hpp>
 
 #include <cstdio>
 
 int main() {
   using namespace twum::studies;
-  DesignProblem problem{twum::MotorDesign{}};
-  problem.vary(twum::Parameter::preload, 60, 300)
-      .vary(twum::Parameter::amplitude, 0.8e-6, 2.2e-6)
-      .vary(twum::Parameter::contact_width, 2e-3, 6e-3);
-  problem.limit("wear_intensity_at(100 rpm) <= 5 kW/m^2")
-      .limit("contact_efficiency_at(100 rpm) >= 0.6")
-      .limit("no_load_speed <= 180 rpm");
+  using twum::Parameter;
+  const twum::ParameterValue drive[] = {
+      {Parameter::resonance_frequency, 39e3}, {Parameter::modal_mass, 0.025},
+      {Parameter::quality_factor, 150},       {Parameter::force_factor, 0.55},
+      {Parameter::frequency, 40.8e3},         {Parameter::voltage, 120}};
+  DesignProblem problem{with(twum::MotorDesign{}, drive)};
+  problem.vary("preload", "60 N", "300 N")
+      .vary("voltage", "40 V", "150 V")
+      .vary("thickness", "0.2 mm", "1 mm");
+  problem.limit("holding_torque >= 0.6 N.m")
+      .limit("drive_reserve_at(0.4 N.m, 60 rpm) >= 100 %")
+      .minimize("electrical_power_at(0.4 N.m, 60 rpm)");
 
-  const DesignAnswer best = size(problem, duty_point("0.5 N.m", "100 rpm"));
+  const DutyPoint duties[] = {duty_point("0.4 N.m", "60 rpm"), duty_point("0.1 N.m", "120 rpm")};
+  const DesignAnswer best = size(problem, duties, {}, DutyDrive::follows);
   std::printf("outcome %s\n", to_string(best.search.outcome));
-  std::printf("preload %.6g N\n", best.motor.preload);
-  std::printf("amplitude %.6g m\n", best.motor.stator.amplitude);
-  std::printf("contact_width %.6g m\n", best.motor.stator.contact_width);
-  const twum::Motor motor(best.motor);
-  std::printf("max_pressure %.6g Pa\n", motor.contact().max_pressure);
+  std::printf("preload %.6g N, voltage %.6g V, thickness %.6g m\n", best.motor.preload,
+              *best.motor.stator.voltage, best.motor.layer.thickness);
+  for (const DutyPoint& duty : duties)
+    std::printf("%.6g Hz\n", held_point(best.motor, duty.torque, duty.speed).frequency);
   return best.search.outcome == twum::optim::Outcome::optimal ? 0 : 1;
 }

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the motor for 0.5 N.m at 100 rpm within three limits that has the lowest pressure on its layer."""
+"""Sizes a motor for two duties that its drive holds by the frequency, with the least electrical power at the first."""
 import sys
 
 import twum
 
-problem = twum.DesignProblem(twum.Motor())
-problem.vary("preload", "60 N", "300 N").vary("amplitude", "0.8 um", "2.2 um").vary("contact_width", "2 mm", "6 mm")
-problem.limit("wear_intensity_at(100 rpm) <= 5 kW/m^2").limit("contact_efficiency_at(100 rpm) >= 0.6")
-problem.limit("no_load_speed <= 180 rpm")
+motor = twum.Motor(resonance_frequency="39 kHz", modal_mass="25 g", quality_factor=150, force_factor=0.55,
+                   frequency="40.8 kHz", voltage="120 V")
+problem = twum.DesignProblem(motor)
+problem.vary("preload", "60 N", "300 N").vary("voltage", "40 V", "150 V").vary("thickness", "0.2 mm", "1 mm")
+problem.limit("holding_torque >= 0.6 N.m").limit("drive_reserve_at(0.4 N.m, 60 rpm) >= 100 %")
+problem.minimize("electrical_power_at(0.4 N.m, 60 rpm)")
 
-best = problem.size(("0.5 N.m", "100 rpm"))
+duties = [("0.4 N.m", "60 rpm"), ("0.1 N.m", "120 rpm")]
+best = problem.size(duties, drive="follows")
 print("outcome", best.outcome)
-for name, value in best.design.items():
-    print(f"{name} {value:.6g}", "N" if name == "preload" else "m")
-print(f"max_pressure {best.motor.max_pressure:.6g} Pa")
+print("preload {preload:.6g} N, voltage {voltage:.6g} V, thickness {thickness:.6g} m".format(**best.design))
+for duty in duties:
+    print(f"{best.motor.drive_frequency_at(*duty):.6g} Hz")
 sys.exit(best.outcome != "optimal")

@@ -198,7 +198,7 @@ class Examples(Case):
             self.assertRegex(line, words)
 
     def check_size(self, text):
-        """C++ and Python say the same, and the duty is carried: 0.5 N.m at 100 rpm."""
+        """C++ and Python say the same of two duties that the drive holds."""
         self.assertTrue(text.startswith("outcome optimal\n"), text)
         module = pathlib.Path(ARGUMENTS.build) / "python"
         if not list(module.glob("twum/_twum*.so")):
