@@ -140,7 +140,7 @@ void mark_events(Chart& chart, const MotionResult& answer) {
   const double seconds = time_unit(answer.duration).seconds;
   for (const MotionEvent& event : answer.members.front().motion.events)
     if (event.kind != MotionEventKind::overruns)
-      chart.marks.push_back({event.time / seconds, event.speed, {to_string(event.kind)}});
+      chart.marks.push_back({event.time / seconds, event.speed, {event_words(event.kind)}});
   if (chart.marks.size() > kMarked) chart.marks.clear();
 }
 
