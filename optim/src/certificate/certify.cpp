@@ -332,7 +332,7 @@ class Certifier {
       return has(Degeneracy::dependent_constraints)
                  ? "no multipliers balance the slope; where limits are dependent, an optimum may "
                    "have none"
-                 : "not stationary: the objective can still improve to first order";
+                 : "not stationary: by its derivatives the objective can still improve";
     if (!stationary()) return "not stationary: a step could still improve the objective";
     if (c.complementarity > 1e-2 * options_.tolerance)
       return "a limit with a nonzero multiplier is not active";

@@ -107,12 +107,22 @@ Standing bound_standing(const BoundState& state, const DesignReport& report,
   return standing;
 }
 
+// A limit that the others imply says nothing beside a stricter one of the user's.
+bool is_told(const LimitState& state, const DesignReport& report) {
+  const auto is_stricter = [&](const LimitState& other) {
+    const double stricter = (state.at_least ? 1 : -1) * (other.limit - state.limit);
+    return !other.implied && other.metric == state.metric && other.at_least == state.at_least &&
+           stricter >= 0;
+  };
+  return !state.implied || std::ranges::none_of(report.constraints, is_stricter);
+}
+
 }  // namespace
 
 Json standings_json(const DesignReport& report, const std::vector<Goal>& goals) {
   std::vector<Standing> list;
   for (const LimitState& state : report.constraints)
-    list.push_back(limit_standing(state, report, goals));
+    if (is_told(state, report)) list.push_back(limit_standing(state, report, goals));
   for (const BoundState& state : report.bounds)
     list.push_back(bound_standing(state, report, goals));
   const auto rank = [](const Standing& s) {
