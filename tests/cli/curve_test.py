@@ -94,7 +94,7 @@ class Branches(program.Case):
 
     def test_a_voltage_that_holds_and_does_not_start_says_what_starts(self):
         note = self.notes("--set", "voltage=100 V")
-        self.assertIn("at 100 V and 40.8 kHz the motor runs but does not start by itself; to start it takes more than", note)
+        self.assertIn("at 100 V and 40.8 kHz the motor runs but does not start by itself if the voltage rises slowly; to start it takes more than", note)
         volts, hertz = self.threshold(note, "start_voltage"), self.threshold(note, "start_frequency")
         # Four digits are printed, so a thousandth more starts it and a thousandth less does not.
         for setting, starts in ((f"voltage={float(volts.split()[0]) * 1.001} V", True),

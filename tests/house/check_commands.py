@@ -14,6 +14,8 @@ A block marked ```python run is run likewise by Python, if the module twum was b
 begins with `twum: 1` is a file beside examples/motors/*.yaml, and `twum check` has to find it right. A block
 marked ```cpp file=PATH shows that file without its licence line; --update copies it.
 
+No two pages write a file or a directory of the same name, so that a reader can run all of them in one folder.
+
 generated_pages.txt lists pages that are, as a whole, the output of a command.
 """
 import os
@@ -71,8 +73,23 @@ def abridged(printed, shown):
     return "\n".join(lines[:head] + ["..."] + lines[len(lines) - tail:]) + "\n"
 
 
-def run_page(page, program, update):
-    """Number of blocks run, complaints."""
+def written_in(folder):
+    """Names that the blocks of a page have made in their folder. In results/ each study has a directory of its own name."""
+    return {name for name in os.listdir(folder) if name not in ("examples", "results")}
+
+
+def shared_names(written):
+    """Complaints about names that several pages write; {page: names}."""
+    first, complaints = {}, []
+    for page, names in written.items():
+        for name in sorted(names):
+            if first.setdefault(name, page) != page:
+                complaints.append(f"{page}: {name} is also written by {first[name]}; give each page names of its own")
+    return complaints
+
+
+def run_page(page, program, update, written):
+    """Number of blocks run, complaints. Adds the names that the page writes."""
     content = tree.text(page)
     blocks = list(BLOCK.finditer(content))
     complaints, edits, count = [], [], 0
@@ -101,6 +118,7 @@ def run_page(page, program, update):
                               abridged(done.stdout, following["body"])))
             elif not agrees(done.stdout, following["body"]):
                 complaints.append(f"{place}: prints something else than the page shows:\n{done.stdout}")
+        written[tree.name(page)] = written_in(folder)
     if edits:
         for start, end, printed in reversed(edits):
             content = content[:start] + printed + content[end:]
@@ -148,9 +166,10 @@ def generated_pages(program, update):
 if __name__ == "__main__":
     twum = pathlib.Path(sys.argv[1]).resolve()
     counts, found = generated_pages(twum, "--update" in sys.argv)
+    names = {}
     for markdown in tree.files("README.md", "CONTRIBUTING.md", "docs", "examples", suffixes={".md"}):
         for ran, wrong in (shown_files(markdown, "--update" in sys.argv),
-                           run_page(markdown, twum, "--update" in sys.argv)):
+                           run_page(markdown, twum, "--update" in sys.argv, names)):
             counts += ran
             found += wrong
-    tree.finish(found, counts)
+    tree.finish(found + shared_names(names), counts)

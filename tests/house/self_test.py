@@ -18,6 +18,7 @@ CLEAN = {
     "README.md": "# twum\n\nSee [theory](docs/theory/a.md#one).\n\n```sh run\ncat examples/x\n```\n\n```text output\n5\n```\n",
     "docs/theory/a.md": "# One\n\n    a = b        (T1.1)\n\n    c < d        (C1.1)\n",
     "docs/page.md": "# Page\n",
+    "docs/guide/b.md": "# B\n\n```sh run\ntouch b.txt\n```\n",
     "docs/pages.css": "/* SPDX-License-Identifier: Apache-2.0 */\n",
     "docs/Doxyfile": re.sub(r"(INPUT|IMAGE_PATH)  (.*\\\n)*.*", "",
                             (HOUSE.parents[1] / "docs/Doxyfile").read_text(encoding="utf-8"))
@@ -99,6 +100,7 @@ FAULTS = [
     ("doxygen", "core/include/twum/core/a.hpp", "/// Words.\nstruct A {\n  int b;\n};\n", "Member b"),
     ("doxygen", "core/include/twum/core/a.hpp", "struct A {};\n", "A is not documented"),
     ("commands", "docs/page.md", "by hand\n", "is not what"),
+    ("commands", "docs/guide/c.md", "# C\n\n```sh run\ntouch b.txt\n```\n", "b.txt is also written by docs/guide/b.md"),
     ("commands", "examples/x", "6\n", "something else"),
     ("commands", "README.md", "\n```sh run\nfalse\n```\n", "exit 1, expected 0"),
     ("commands", "README.md", "\n```cpp file=core/src/contact/a.cpp\nint a;\n```\n", "is not core/src/contact/a.cpp"),

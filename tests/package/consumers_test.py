@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Projects of other people find, link and run the installed package, and the tree itself."""
 import argparse
+import math
 import os
 import pathlib
 import re
@@ -171,7 +172,8 @@ class Examples(Case):
         sources = sorted(path.stem for path in (ROOT / "examples/cpp").glob("*.cpp"))
         self.assertGreater(len(sources), 6)
         arguments = {"curve": [RING], "motion": [ROOT / "examples/motors/moving-60.yaml"],
-                     "study": [ROOT / "examples/studies/optimize-ring-60.yaml"]}
+                     "study": [ROOT / "examples/studies/optimize-ring-60.yaml"],
+                     "own_optimizer": [ROOT / "examples/motors/drive-60.yaml"]}
         said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources if name != "sizing_service"}
         self.check_service(build / "sizing_service")
         self.assertRegex(said["curve"], "slip[+]")
@@ -180,6 +182,17 @@ class Examples(Case):
         self.assertNotIn("not certified", said["front"])
         self.check_fit(said["fit"])
         self.check_size(said["size"])
+        self.check_gearbox(said["own_optimizer"])
+        self.assertRegex(said["own_limit"], r"^feasible: .* cost (8\.00|7\.99)\n$")
+
+    def check_gearbox(self, text):
+        """Another ratio needs more power, as twum evaluate says of the torque and the speed behind the gearbox."""
+        ratio, power = map(float, re.search(r"ratio (\S+), (\S+) W", text).groups())
+        duty = [f"electrical_power_at({2 / r * (1 + 0.03 * math.log(r))!r} N.m, {2 * r!r} rad/s)" for r in (ratio, 0.98 * ratio, 1.02 * ratio)]
+        said = self.ok(pathlib.Path(ARGUMENTS.build) / "bin/twum", "evaluate", ROOT / "examples/motors/drive-60.yaml", "--metrics", ", ".join(duty))
+        found, less, more = map(float, said.splitlines()[-1].split(",")[:3])
+        self.assertAlmostEqual(found, power, delta=1e-3)  # three decimals are printed
+        self.assertLess(found, min(less, more))
 
     def check_fit(self, text):
         """The points are those of mu = 0.18, E = 2.5 GPa, rounded to 5 mN.m: the intervals hold both."""

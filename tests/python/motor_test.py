@@ -135,11 +135,12 @@ class Answers(unittest.TestCase):
 
     def test_the_data_sheet_is_that_of_the_command(self):
         motor = twum.Motor(ROOT / "examples/motors/drive-60.yaml")
-        for options, given in (((), {}), (("--torque", "0.5 N.m"), {"torque": 0.5}), (("--speed", "100 rpm"), {"speed": "100 rpm"})):
+        for options, given in (((), {}), (("--torque", "0.5 N.m"), {"torque": 0.5}), (("--speed", "100 rpm"), {"speed": "100 rpm"}),
+                               (("--torque", "0.5 N.m", "--speed", "60 rpm"), {"torque": 0.5, "speed": "60 rpm"})):
             done = subprocess.run([PROGRAM, "datasheet", "-", "-o", "-", *options], input=motor.file_text(), capture_output=True, text=True, timeout=60)
             self.assertEqual(motor.datasheet(**given), done.stdout)
-        with self.assertRaisesRegex(twum.InputError, "a speed or a torque"):
-            motor.datasheet(1.0, torque=1.0)
+        with self.assertRaisesRegex(twum.EvaluationError, "torque-out-of-reach"):
+            motor.datasheet(1.0, torque=100.0)
         with self.assertRaises(twum.EvaluationError):
             motor.datasheet(torque="100 N.m")
 

@@ -90,6 +90,37 @@ class Sheet(page.Page):
         self.assertAlmostEqual(whole, si(rated["electrical power"]), delta=3e-3 * whole)
         self.assertAlmostEqual(si(rated["output power"]) / si(rated["electrical power"]), si(rated["overall efficiency"]), delta=2e-3)
 
+    def test_a_torque_and_a_speed_are_held_by_the_drive(self):
+        for motor, change in (("drive-60", ()), ("drive-60", ("--set", "voltage=100 V")), ("ring-60", ())):
+            with self.subTest(motor, change=change):
+                path = MOTORS / f"{motor}.yaml"
+                self.show(self.sheet(path, *change, "--torque", "0.5 N.m", "--speed", "60 rpm"), 1400)
+                rated = self.lines()["Rated point"]
+                self.assertEqual((rated["torque"], rated["speed"]), ("500 mN·m", "60 rpm"))
+                names = {"output power": "output_power_at", "friction power": "friction_power_at"}
+                text = self.browser.value("document.body.textContent").replace("\u00a0", " ")
+                self.assertIn("Held by the drive", text)
+                self.assertIn("Curves and limits are those of the fixed drive", text)
+                if motor == "drive-60":
+                    rated["drive frequency"] = re.search(r"Held by the drive at ([\d.]+ kHz)\.", text)[1]
+                    names |= {"drive frequency": "drive_frequency_at", "voltage": "drive_voltage_at", "electrical power": "electrical_power_at",
+                              "phase current": "phase_current_at"}
+                metrics = ", ".join(f"{name}(0.5 N.m, 60 rpm)" for name in names.values())
+                row = twum("evaluate", path, *change, "--metrics", metrics).stdout.splitlines()[-1].split(",")
+                for name, value in zip(names, row):
+                    self.assertAlmostEqual(si(rated[name]) / float(value), 1, delta=1 / 2000, msg=name)  # four digits are shown
+
+    def test_a_held_point_beyond_the_curve_is_in_the_charts(self):
+        # At a high frequency the fixed drive is slow; a drive that follows holds more than its no-load speed.
+        self.show(self.sheet(MOTORS / "drive-60.yaml", "--set", "frequency=43 kHz", "--torque", "0.3 N.m", "--speed", "120 rpm"), 1400)
+        self.assertLess(si(self.lines()["Performance and limits"]["no-load speed"]), 120 * RPM)
+        boxes = self.browser.value("""[...document.querySelectorAll('.wide > div > svg')].map((svg) => {
+            const out = svg.getBoundingClientRect();
+            const mark = [...svg.querySelectorAll('path')].find((p) => p.getAttribute('d').endsWith('h0')).getBoundingClientRect();
+            return [mark.left - out.left, out.right - mark.right, mark.top - out.top, out.bottom - mark.bottom]; })""")
+        self.assertEqual(len(boxes), 3)
+        self.assertGreaterEqual(min(min(box) for box in boxes), 0)
+
     def test_marks_are_on_their_curves(self):
         self.show(self.sheet(MOTORS / "drive-60.yaml"), 1400)
         # The curve of the terminals is the last one of its chart.
@@ -123,8 +154,9 @@ class Sheet(page.Page):
                             self.assertFalse(over, (text, other))
 
     def test_it_prints_on_one_sheet_of_a4(self):
-        for arguments in (("ring-60",), ("drive-60",), ("plate-60",), ("plate-60", *FULL)):
-            with self.subTest(arguments[0]):
+        for arguments in (("ring-60",), ("drive-60",), ("plate-60",), ("plate-60", *FULL),
+                          ("plate-60", "--torque", "0.3 N.m"), ("plate-60", "--torque", "0.3 N.m", "--speed", "60 rpm")):
+            with self.subTest(arguments):
                 self.show(self.sheet(MOTORS / f"{arguments[0]}.yaml", *arguments[1:]), 1000)
                 pdf = base64.b64decode(self.browser.send("Page.printToPDF", {"preferCSSPageSize": True, "printBackground": True})["data"])
                 self.assertEqual(len(re.findall(rb"/Type /Page\b(?!s)", pdf)), 1)
@@ -180,8 +212,10 @@ class Command(page.Page):
 
     def test_refusals(self):
         ring = MOTORS / "ring-60.yaml"
-        both = self.run_in("datasheet", ring, "--speed", "10 rpm", "--torque", "1 N.m")
-        self.assertEqual(both.returncode, 2)
+        weak = self.run_in("datasheet", ring, "--speed", "10 rpm", "--torque", "5 N.m", "-o", "x.html")
+        self.assertEqual(weak.returncode, 1)
+        self.assertIn("does not hold this torque at this speed: torque-out-of-reach", weak.stderr)
+        self.assertEqual(self.run_in("datasheet", ring, "--speed", "0 rpm", "--torque", "0.5 N.m").returncode, 2)
         self.assertEqual(self.run_in("datasheet", ring, "--torque", "5 N.m", "-o", "x.html").returncode, 1)
         self.assertFalse((self.folder / "x.html").exists())
         self.assertEqual(self.run_in("datasheet", ring, "-o", ring).returncode, 2)

@@ -50,20 +50,26 @@ std::string file_text(const PyMotor& self) {
 }
 
 // The speed of the rated point; nothing if the data sheet is to choose it.
-std::optional<double> rated_speed(const PyMotor& self, const py::object& speed,
-                                  const py::object& torque) {
-  if (!speed.is_none() && !torque.is_none())
-    throw InputError("datasheet: give a speed or a torque, not both");
-  if (!speed.is_none()) return to_speed(speed);
-  if (torque.is_none()) return {};
+studies::DatasheetOptions sheet_options(const PyMotor& self, const py::object& speed,
+                                        const py::object& torque) {
+  studies::DatasheetOptions sheet;
+  if (!speed.is_none()) sheet.rated_speed = to_speed(speed);
+  if (torque.is_none()) return sheet;
   const double load = to_quantity("torque", torque, "N.m", "0.5 N.m");
-  return value_or_throw("speed_at",
-                        evaluate(self.motor, {Metric::speed_at, Argument::torque, load}));
+  if (sheet.rated_speed) {
+    value_or_throw("amplitude_at", evaluate(self.motor, {Metric::amplitude_at, Argument::both,
+                                                         *sheet.rated_speed, load}));
+    sheet.held_torque = load;
+  } else {
+    sheet.rated_speed = value_or_throw(
+        "speed_at", evaluate(self.motor, {Metric::speed_at, Argument::torque, load}));
+  }
+  return sheet;
 }
 
 std::string datasheet_of(const PyMotor& self, const py::object& speed, const py::object& torque) {
   return studies::datasheet_html({self.name, self.motor.design()},
-                                 {rated_speed(self, speed, torque)});
+                                 sheet_options(self, speed, torque));
 }
 
 PyMotor from_text(const py::object& text) {
@@ -148,12 +154,14 @@ void add_making(Class& motor) {
       "Every parameter that has a value by name, SI; G, gamma and m as they follow from others.");
   motor.def("file_text", &file_text,
             "file_text(self)\n--\n\nThe motor as the text of a motor file, to the last digit.");
-  motor.def("datasheet", &datasheet_of, py::arg("speed") = py::none(), py::kw_only(),
-            py::arg("torque") = py::none(),
-            "datasheet(self, speed=None, *, torque=None)\n--\n\nThe data sheet as the text of one "
-            "HTML page: drawing, curves, rated point, limits,\nparameters. The rated point is at a "
-            "speed or a torque; by default that of the largest\noverall efficiency, or of the "
-            "largest output power if the motor has no modal data.");
+  motor.def(
+      "datasheet", &datasheet_of, py::arg("speed") = py::none(), py::kw_only(),
+      py::arg("torque") = py::none(),
+      "datasheet(self, speed=None, *, torque=None)\n--\n\nThe data sheet as the text of one "
+      "HTML page: drawing, curves, rated point, limits,\nparameters. The rated point is at a "
+      "speed or a torque; given both, the drive is adjusted\nto hold the torque at the speed. "
+      "By default it is that of the largest overall\nefficiency, or of the largest output "
+      "power if the motor has no modal data.");
   motor.def("__repr__", &representation);
   motor.def("_repr_html_", &shown_as_html,
             "_repr_html_(self)\n--\n\nIts parameters as a table, for notebooks.");

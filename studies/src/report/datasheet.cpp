@@ -8,6 +8,7 @@
 #include "telling/sheet_sections.hpp"
 #include "text/checksum.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
 #include <twum/io/words.hpp>
 
@@ -34,6 +35,15 @@ std::string provenance(const MotorFile& motor, const std::string& source) {
          ". All numbers are computed; none is measured.";
 }
 
+std::optional<LoadPoint> rated_load(const DatasheetOptions& options) {
+  if (options.held_torque && !options.rated_speed)
+    throw InputError("datasheet: a held torque needs a rated speed");
+  if (options.held_torque)
+    return LoadPoint{Argument::both, *options.rated_speed, *options.held_torque};
+  if (options.rated_speed) return LoadPoint{Argument::speed, *options.rated_speed};
+  return {};
+}
+
 }  // namespace
 
 std::string datasheet_html(const MotorFile& file, const DatasheetOptions& options) {
@@ -43,7 +53,7 @@ std::string datasheet_html(const MotorFile& file, const DatasheetOptions& option
       assets::datasheet_page(), "<!--SHEET-->",
       "<title>" + name + " - data sheet</title>\n</head>\n<body>\n<main>\n<header>\n<h1>" + name +
           "</h1>\n<p>" + html(motor_phrase(file.design)) + "</p>\n</header>\n" +
-          html(sheet_sections(Motor(file.design), options.rated_speed), "h2", kThird) + "<footer>" +
+          html(sheet_sections(Motor(file.design), rated_load(options)), "h2", kThird) + "<footer>" +
           harmless(provenance(file, options.source)) + "</footer>\n</main>\n</body>\n");
 }
 

@@ -353,9 +353,12 @@ std::vector<Chart> sheet_charts(const MotorCurve& curve, const std::optional<Ope
   for (Chart& chart : charts) chart.title.clear();  // the axis has the name
   if (!at || at->status != PointStatus::ok || at->torque < 0) return charts;
   const double values[] = {at->torque, at->output_power, kind.value(*at)};
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    if (std::isfinite(values[i]) && at->speed <= charts[i].x.high)
-      charts[i].marks.push_back({at->speed, values[i], {}, "ink", true, true});
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    // A drive that follows also holds points beyond the curve of the fixed drive.
+    charts[i].x.high = std::max(charts[i].x.high, at->speed);
+    charts[i].marks.push_back({at->speed, values[i], {}, "ink", true, true});
+  }
   return charts;
 }
 

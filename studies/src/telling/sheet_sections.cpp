@@ -5,6 +5,7 @@
 #include "telling/goal_parts.hpp"
 #include "telling/load_parts.hpp"
 
+#include <twum/core/held_point.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/core/parameters.hpp>
 #include <twum/motors/curve_points.hpp>
@@ -79,10 +80,33 @@ Section performance_section(const Motor& motor) {
 struct RatedPoint {
   Phrase told;
   std::optional<OperatingPoint> point{};
+  std::optional<LoadPoint> held{};  // where the drive is adjusted to it
 };
 
-RatedPoint rated_point(const Motor& motor, const std::optional<double>& speed) {
-  if (speed) return {{"At the speed or load that was given."}, motor.operating_point(*speed)};
+RatedPoint held_rating(const MotorDesign& design, const LoadPoint& load) {
+  const HeldPoint held = held_point(design, load.torque, load.at);
+  RatedPoint rated;
+  if (held.status != HeldStatus::ok) {
+    rated.told = {"There is none: the drive does not hold ",
+                  value_part(load.torque, "N.m"),
+                  " at ",
+                  value_part(load.at, "rad/s"),
+                  ", ",
+                  to_string(held.status),
+                  "."};
+    return rated;
+  }
+  rated.told = {held.by_control_only ? "Held by a controlled drive alone" : "Held by the drive"};
+  if (has_modal_data(design)) append(rated.told, {" at ", value_part(held.frequency, "Hz")});
+  rated.told.emplace_back(".");
+  rated.point = held.point;
+  rated.held = load;
+  return rated;
+}
+
+RatedPoint rated_point(const Motor& motor, const std::optional<LoadPoint>& given) {
+  if (given && given->argument == Argument::both) return held_rating(motor.design(), *given);
+  if (given) return {{"At the speed or load that was given."}, motor.operating_point(given->at)};
   const bool terminals = has_modal_data(motor.design());
   const Metric metric =
       terminals ? Metric::speed_at_max_overall_efficiency : Metric::speed_at_peak_power;
@@ -116,7 +140,7 @@ Section rated_section(const MotorDesign& design, const RatedPoint& rated) {
     if (name == "output_power" && std::isfinite(efficiency.value(point)))
       sheet.add({efficiency.name}, {share_part(efficiency.value(point))});
   }
-  add_life(sheet, design, LoadPoint{Argument::torque, point.torque});
+  add_life(sheet, design, rated.held.value_or(LoadPoint{Argument::torque, point.torque}));
   return section();
 }
 
@@ -143,6 +167,8 @@ Section curves_section(const Motor& motor, const RatedPoint& rated) {
     section.charts = sheet_charts(curve, rated.point);
   const bool marked = !section.charts.empty() && !section.charts.front().marks.empty();
   if (marked) section.note = {"The dotted line is the rated point."};
+  if (marked && rated.held)
+    section.note = {"Curves and limits are those of the fixed drive. The dot is the rated point."};
   return section;
 }
 
@@ -196,9 +222,9 @@ Phrase motor_phrase(const MotorDesign& design) {
           value_part(drive_frequency(design), "Hz")};
 }
 
-std::vector<Section> sheet_sections(const Motor& motor, const std::optional<double>& rated_speed) {
+std::vector<Section> sheet_sections(const Motor& motor, const std::optional<LoadPoint>& given) {
   const MotorDesign& design = motor.design();
-  const RatedPoint rated = rated_point(motor, rated_speed);
+  const RatedPoint rated = rated_point(motor, given);
   std::vector<Section> sections{curves_section(motor, rated), cross_section(design),
                                 performance_section(motor), rated_section(design, rated)};
   if (const Sheet electrical = metrics_of(motor, true); !electrical.rows.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/load.hpp>
 #include <twum/studies/telling.hpp>
 
 #include <optional>
@@ -13,8 +14,9 @@ namespace twum::inline v0_1::studies::telling {
 Phrase motor_phrase(const MotorDesign& design);
 
 /// Curves with the rated point, cross-section, performance, rated point, electrical numbers, parameters, doubts about the model.
-/// @param rated_speed  none: that of the largest overall efficiency, or of the largest power of a motor without modal data
-std::vector<Section> sheet_sections(const Motor& motor, const std::optional<double>& rated_speed);
+/// @param rated  a speed, or a torque that the drive holds at a speed; none: the point of the largest overall efficiency, or of the
+///               largest power of a motor without modal data
+std::vector<Section> sheet_sections(const Motor& motor, const std::optional<LoadPoint>& rated);
 
 /// One side of the motor, cut along its axis, to scale.
 Section cross_section(const MotorDesign& design);

@@ -3,10 +3,13 @@
 #include "exit_status.hpp"
 #include "formats.hpp"
 #include "load.hpp"
+#include "message.hpp"
+#include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/core/held_point.hpp>
 #include <twum/studies/datasheet.hpp>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +24,8 @@ namespace {
 constexpr const char* kDatasheetExamples = R"text(Examples:
   twum datasheet ring-60.yaml                        writes ring-60-datasheet.html
   twum datasheet ring-60.yaml --torque "0.5 N.m"     rated at this load
+  twum datasheet drive-60.yaml --torque "0.5 N.m" --speed "60 rpm"
+                                                     rated at this duty, to which the drive is adjusted
   twum datasheet results/study -o sheet.html         of the motor that a study found
 
 The page needs no other file and prints on one sheet of A4. Without --speed and --torque the rated point is that of the largest
@@ -56,6 +61,27 @@ std::string sheet_of(const SheetOptions& options, const std::string& motor) {
   return (motor == options.motor.path ? name.stem() : name.filename()).string() + "-datasheet.html";
 }
 
+// False if the drive does not hold the point; the reason is then on standard error.
+bool set_held(studies::DatasheetOptions& sheet, const LoadOptions& load,
+              const MotorDesign& design) {
+  sheet.held_torque = parse_torque("--torque", load.torque);
+  sheet.rated_speed = more_than_zero("--speed", parse_speed("--speed", load.speed), load.speed);
+  const HeldStatus status = held_point(design, *sheet.held_torque, *sheet.rated_speed).status;
+  if (status == HeldStatus::ok) return true;
+  say("twum: the drive does not hold this torque at this speed: " + std::string(to_string(status)));
+  explain_reasons({to_string(status)});
+  return false;
+}
+
+// False if the motor has no such point; the reason is then on standard error.
+bool set_rated(studies::DatasheetOptions& sheet, const LoadOptions& load,
+               const MotorDesign& design) {
+  if (!load.given()) return true;
+  if (!load.torque.empty() && !load.speed.empty()) return set_held(sheet, load, design);
+  sheet.rated_speed = speed_of(load, Motor(design));
+  return sheet.rated_speed.has_value();
+}
+
 int run_datasheet(const SheetOptions& options) {
   if (!options.page.empty()) require_ending(options.page, {"html", "htm"});
   MotorOptions of = options.motor;
@@ -63,11 +89,8 @@ int run_datasheet(const SheetOptions& options) {
   const std::string path = sheet_of(options, of.path);
   Output page(path, {of.path});
   const studies::MotorFile motor = load_motor(of);
-  studies::DatasheetOptions sheet{{}, of.path == "-" ? "" : of.path};
-  if (options.load.given()) {
-    sheet.rated_speed = speed_of(options.load, Motor(motor.design));
-    if (!sheet.rated_speed) return kNoAnswer;
-  }
+  studies::DatasheetOptions sheet{{}, {}, of.path == "-" ? "" : of.path};
+  if (!set_rated(sheet, options.load, motor.design)) return kNoAnswer;
   page.write(studies::datasheet_html(motor, sheet));
   page.finish();
   if (path == "-") return kDone;
@@ -84,7 +107,15 @@ void add_datasheet(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("datasheet", "A data sheet of a motor on one page");
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
-  add_load_options(*command, options->load, 0);
+  command
+      ->add_option("--torque", options->load.torque,
+                   "Load torque of the rated point, such as \"0.5 N.m\"")
+      ->type_name("TORQUE");
+  command
+      ->add_option("--speed", options->load.speed,
+                   "Rotor speed of the rated point, such as \"100 rpm\"; with a torque, the drive "
+                   "is adjusted to hold both")
+      ->type_name("SPEED");
   command
       ->add_option("-o,--output", options->page,
                    "Page to write (default: the motor file's name with -datasheet.html; '-': "

@@ -80,7 +80,7 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
   if (*stator.voltage >= starts.value * (1 - kNear))
     return note(motor, "the motor is less than 0.1 % below its start voltage",
                 "raise the voltage or the frequency a little if it has to start by itself");
-  return note(motor, "the motor runs but does not start by itself",
+  return note(motor, "the motor runs but does not start by itself if the voltage rises slowly",
               "to start it takes " + start("more than "));
 }
 
