@@ -97,8 +97,9 @@ TEST_CASE("secants (E6.4, E6.5) and Newton's steps lead where plain laps from re
   CHECK(laps < plain);  // they are there to save some
 }
 
-TEST_CASE("leaps past a state that has just ceased to be lead where plain laps lead, with mu_0 > mu",
-          "[core][contact][differential]") {
+TEST_CASE(
+    "leaps past a state that has just ceased to be lead where plain laps lead, with mu_0 > mu",
+    "[core][contact][differential]") {
   Dice dice(46);
   int slow = 0, saved = 0;
   const auto at = [](ContactNumbers<double> n, double speed) {
