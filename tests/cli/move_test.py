@@ -44,7 +44,7 @@ class Move(program.Case):
         text = self.ok("move", MOVING, "--plot", picture)
         for words in ("turns at", "It stops", "comes to rest and is held", "the drive is switched off"):
             self.assertIn(words, text)
-        for words in ("speed", "angle", "torque of the contact", "time", "switched-off"):
+        for words in ("speed", "angle", "torque of the contact", "time", "the drive is switched off"):
             self.assertIn(words, picture.read_text())
 
     def test_a_drive_below_the_dynamic_start_voltage_does_not_start(self):

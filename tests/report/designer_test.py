@@ -124,9 +124,10 @@ class Looks(Designer):
         shown = dict(zip(self.lines(".fixed span"), self.lines(".fixed strong")))
         self.assertEqual(len(shown), len(OF_HEAT))
         for name in OF_HEAT:
-            value = shown[name.replace("_", " ")].split(" ")
-            unit = {"K": 1, "s": 1, "N·m": 1, "mN·m": 1e-3}[value[1]]
-            self.assertAlmostEqual(float(value[0]) * unit, told[name], delta=5.1e-4 * told[name], msg=name)  # four digits
+            number, unit = re.split(r"\s", shown[name.replace("_", " ")])
+            factor, zero = {"°C": (1, 273.15), "s": (1, 0), "N·m": (1, 0), "mN·m": (1e-3, 0)}[unit]
+            value = float(number) * factor + zero
+            self.assertAlmostEqual(value, told[name], delta=5.1e-4 * abs(told[name] - zero), msg=name)  # four digits
         # They do not follow the sliders, and are pale then.
         opacity = "getComputedStyle(document.querySelector('.fixed')).opacity"
         self.assertEqual(self.browser.value(opacity), "1")

@@ -199,7 +199,8 @@ export class Tiles {
       const tile = (this.tiles[name] ??= this.tile(name));
       tile.node.hidden = false;
       const {unit, share} = this.panel.tables.metrics[name];
-      tile.value.textContent = status === 'ok' ? (share ? percent(value, 4) : engineering(value, unit)) : status.replaceAll('-', ' ');
+      const shown = () => share ? percent(value, 4) : engineering(value, unit);
+      tile.value.textContent = status === 'ok' ? shown() : status.replaceAll('-', ' ');
       tile.node.title =
           status === 'ok' ? this.panel.tables.metrics[name].text : this.panel.tables.reasons[status] ?? status;
       tile.node.dataset.value = String(value);
