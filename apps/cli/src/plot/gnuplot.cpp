@@ -30,8 +30,10 @@ std::string picture(const std::string& script) {
                       std::strerror(errno));
   }
   std::rewind(in.get());
-  // No start-up file of the user's: the script alone decides.
-  const ChildEnd end = run_program({"gnuplot", "-d"}, in.get(), out.get(), errors.get());
+  // No start-up file of the user's: the script alone decides. From its standard input gnuplot reads a letter at a time, from a file by
+  // blocks.
+  const ChildEnd end =
+      run_program({"gnuplot", "-d", "/dev/stdin"}, in.get(), out.get(), errors.get());
   if (!end.found) {
     throw OutputError(
         "gnuplot, which draws the plots, is not installed; install the Debian package gnuplot-nox");
