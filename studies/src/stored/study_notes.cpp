@@ -56,7 +56,7 @@ std::string pace_note(const StudyFile& file) {
   if (!pace) return {};
   const double longest = pace->seconds * static_cast<double>(pace->evaluations);
   if (longest < kLong) return {};
-  return "an evaluation of this motor takes about " + engineering(pace->seconds, "s", 2) +
+  return "an evaluation of this motor takes about " + engineering(pace->seconds, "s", 3) +
          ", so that the budget of " + std::to_string(pace->evaluations) +
          " evaluations (solver: max_evaluations) lasts about " + duration_words(longest) +
          " on one processor, or several times as long where other designs take longer";
