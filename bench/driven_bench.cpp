@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times of a driven motor with one slice and with eight: a point on the branch it follows, its metrics and their gradients. For
 // the ratio, an integration in time of its two modes until the wave has settled to 1e-4.
-#include "support/driven_motors.hpp"
+#include "driven_layers.hpp"
 #include "support/two_modes.hpp"
 
 #include <benchmark/benchmark.h>
@@ -11,21 +11,15 @@
 #include <twum/core/motor.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace {
 
 using namespace twum;
-using namespace twum::test;
 
 MotorDesign design_of(benchmark::State& state) {
-  constexpr std::array kLabels{"elastic layer", "inertia and viscosity", "the same, mu_0 = 1.3 mu"};
-  const auto kind = static_cast<std::size_t>(state.range(0));
-  state.SetLabel(kLabels[kind]);
-  MotorDesign design = kind == 0 ? driven_motor() : driven_motor_with_layer();
-  if (kind == 2) design.friction.threshold = 1.3 * design.friction.kinetic;
+  MotorDesign design = bench::driven_layer(state);
   design.stator.radial_slices = static_cast<int>(state.range(1));
   return design;
 }
@@ -84,11 +78,11 @@ void gradients_of_a_design(benchmark::State& state) {
 void integration_in_time(benchmark::State& state) {
   constexpr double kSettled = 1e-4;
   constexpr double kSpeed = 8;
-  const MotorDesign design = driven_motor();
+  const MotorDesign design = test::driven_motor();
   const double amplitude = Motor(design).operating_point(kSpeed).amplitude;
   int periods = 0;
   for (auto _ : state) {
-    TwoModes modes(design, kSpeed);
+    test::TwoModes modes(design, kSpeed);
     modes.set_wave(0.8 * amplitude, 2.5);
     double before = 0, now = 1;
     for (periods = 0; std::fabs(now - before) > kSettled * now && periods < 2000; periods += 20) {

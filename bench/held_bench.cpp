@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times of held points of a motor with one slice: alone, by each control, and as a map of 60 speeds and 40 torques, line by line and
 // point by point. For the ratio, the same amplitude by a search of one's own over operating points of motors with given amplitudes.
-#include "support/driven_motors.hpp"
+#include "driven_layers.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -10,23 +10,17 @@
 #include <twum/core/metrics.hpp>
 #include <twum/core/motor.hpp>
 
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace {
 
 using namespace twum;
-using namespace twum::test;
 
 constexpr double kTorque = 0.5, kSpeed = 9;
 
 MotorDesign design_of(benchmark::State& state) {
-  constexpr std::array kLabels{"elastic layer", "inertia and viscosity", "the same, mu_0 = 1.3 mu"};
-  const auto kind = static_cast<std::size_t>(state.range(0));
-  state.SetLabel(kLabels[kind]);
-  MotorDesign design = kind == 0 ? driven_motor() : driven_motor_with_layer();
-  if (kind == 2) design.friction.threshold = 1.3 * design.friction.kinetic;
+  MotorDesign design = bench::driven_layer(state);
   design.stator.radial_slices = 1;
   return design;
 }

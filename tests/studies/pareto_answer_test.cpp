@@ -202,7 +202,7 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
                       "peak_power by +150 mW (+3.75 %) or stall_torque by -37.5 mN.m.\n"
                       "max_pressure <= 2 MPa: 1 % looser, at 2.02 MPa, changes peak_power by +20 "
                       "mW (+0.5 %) or stall_torque by -5 mN.m.\n"
-                      "width >= 1 mm, the end of its range: it is met, but moving it by 1 % "
+                      "width >= 1 mm, the end of its range: it is met, but loosening it by 1 % "
                       "changes nothing to first order.\n") &&
                  Contains("\n"
                           "Limits at the smallest stall_torque\n"

@@ -49,7 +49,7 @@ std::string file_text(const PyMotor& self) {
   return studies::motor_text({self.name, self.motor.design()});
 }
 
-// The speed of the rated point; nothing if the data sheet is to choose it.
+// The rated point; nothing if the data sheet is to choose it.
 studies::DatasheetOptions sheet_options(const PyMotor& self, const py::object& speed,
                                         const py::object& torque) {
   studies::DatasheetOptions sheet;

@@ -32,9 +32,10 @@ struct ContinuationRules {
   /// What the slopes of two samples may leave of ln H: the third power of `jumping_step`, times what H bends. More of it is a jump, or
   /// bends so much that it is sampled more closely.
   double jump = 1e-4;
-  /// What H changes from a sample to the edge of amplitudes without a periodic state, in its slope times the distance: 2 for a root.
-  /// Beside it what H bends, in parts of the distance squared: ten times that of usual motors.
-  double towards_edge = 3, bend = 10;
+  /// What ln H changes from a sample to the edge of amplitudes without a periodic state, in its slope times the distance: 2 for a root.
+  /// Beside it what it bends, in the distance squared: its second difference in steps of 0.02 is below 5 in nine of ten places of 300
+  /// random motors with mu_0 > mu, and above 100 at jumps.
+  double towards_edge = 3, bend = 100;
   /// What a change of the slope may hide of ln H where zones change.
   double hidden_jump = 5e-4;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
@@ -157,7 +158,7 @@ struct ResponseRules {
   double scan = 1.25;
   /// Last step of omega^2 and of the speed ratio, in parts of themselves.
   double settled_square = 1e-14, settled_ratio = 1e-12;
-  /// Steps with learned slopes towards a wave: five are usual.
+  /// Steps with learned slopes towards a wave: three are usual.
   int most_broydens = 12;
   /// Of the speed ratio: what is farther away from the guess than the sum of the first and a share of the guess is another wave.
   double near_ratio = 0.05, near_share = 0.3;
@@ -165,7 +166,7 @@ struct ResponseRules {
   double least_slope = 0.1;
   /// Of the speed ratio, for a difference that only begins a search.
   double slope_step = 1e-5;
-  /// Secants over the frequency where no wave nearby is known. They converge like Newton's method.
+  /// Secants over the frequency where no wave nearby is known.
   int most_secants = 40;
   /// Of the speed ratio: where the speed is sought first, about a guess and about the last secant's.
   double far_window = 0.02, near_window = 1e-3;

@@ -26,6 +26,16 @@ const char* to_string(HeldStatus status) noexcept {
   return "not-converged";
 }
 
+std::string_view needed_unit(HeldStatus status) noexcept {
+  switch (status) {
+    case HeldStatus::torque_out_of_reach: return "N.m";
+    case HeldStatus::voltage_too_low: return "V";
+    case HeldStatus::amplitude_too_low: return "m";
+    case HeldStatus::outside_frequency_range: return "Hz";
+    default: return "";
+  }
+}
+
 namespace {
 
 // What is held within the drive's voltage or amplitude and its range of frequencies.

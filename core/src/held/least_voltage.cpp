@@ -34,10 +34,6 @@ struct SpeedSamples {
 };
 constexpr SpeedSamples kSamples;
 
-}  // namespace
-
-namespace {
-
 // From high speeds down, the voltage falls to that at which the running wave ends, rises towards the waves between running and dead
 // ones, and falls again with those that are dead: the first minimum is the one.
 LeastVoltage first_minimum(const MotorDesign& design, double torque) {

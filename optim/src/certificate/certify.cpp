@@ -207,8 +207,8 @@ class Certifier {
     }
     certificate().findings.push_back(
         {Degeneracy::dependent_constraints,
-         "some of these limits follow from the others here, so that to loosen one alone may "
-         "change nothing",
+         "some of these limits follow from the others at this design; to loosen one of them alone "
+         "may change nothing",
          names});
   }
 

@@ -154,9 +154,8 @@ std::vector<Section> cause_sections(const UncertaintyResult& answer) {
   if (!(answer.broken.value > 0) || !answer.parts.empty() || answer.variables.size() < 2) return {};
   Section section{{"Which tolerance causes the failures"}};
   if (answer.causes.empty()) {
-    section.note = {answer.broken.value < 0.5 ? "The motors that violate a limit do not tell which "
-                                                "tolerance causes it: draw more, or use method "
-                                                "'importance'."
+    section.note = {answer.broken.value < 0.5 ? "The failing motors do not tell which tolerance is "
+                                                "the cause: draw more, or use method 'importance'."
                                               : "So many motors violate a limit that no single "
                                                 "tolerance is the cause: change the design."};
     return {section};

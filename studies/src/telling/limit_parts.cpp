@@ -121,15 +121,14 @@ Part tolerance_part(const Json& standing) {
 std::vector<Phrase> limit_row(const Json& standing, const std::vector<Goal>& goals) {
   const std::string unit = standing["unit"];
   const bool binds = standing["state"] == "binds";
-  const auto change_of = [&](std::size_t k) -> Phrase {
-    return {binds ? change(goal_part(goals[k], number(standing["changes"][k]), 3)) : Part("-")};
-  };
   std::vector<Phrase> row{standing_name(standing),
                           state_phrase(standing),
                           {named_part(metric_of(standing), number(standing["value"]), unit)},
                           {value_part(number(standing["slack"]), unit, 3)}};
   row.push_back({tolerance_part(standing)});
-  for (std::size_t k = 0; k < goals.size(); ++k) row.push_back(change_of(k));
+  for (std::size_t k = 0; k < goals.size(); ++k)
+    row.push_back(
+        {binds ? change(goal_part(goals[k], number(standing["changes"][k]), 3)) : Part("-")});
   if (goals.size() == 1) row.push_back(binds ? worth_phrase(standing, goals[0]) : Phrase{"-"});
   return row;
 }
@@ -208,7 +207,7 @@ Phrase holder_phrase(const Json& standing, const std::vector<Goal>& goals,
     if (const double by = number(standing["changes"][k]); by != 0 && std::isfinite(by))
       changes.push_back(change_phrase(goals[k], by, goal_of(report, goals[k])));
   if (changes.empty()) {
-    append(phrase, {": it is met, but moving it by 1 % changes nothing to first order."});
+    append(phrase, {": it is met, but loosening it by 1 % changes nothing to first order."});
     return phrase;
   }
   append(phrase, moved_phrase(standing));

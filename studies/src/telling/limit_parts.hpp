@@ -36,7 +36,7 @@ std::vector<Phrase> holder_phrases(const Json& standings, const std::vector<Goal
 /// "broken by 20 mN.m"
 Phrase state_phrase(const Json& standing);
 
-/// What each limit is doing, and what moving it by 1 % changes.
+/// What each limit is doing, and what loosening it by 1 % changes.
 Table limits_table(const Json& standings, const std::vector<Goal>& goals);
 /// What the effects of limits are changes of: the goal, or where the required yield cannot be reached, the yield, which the search
 /// made as large as it can be.

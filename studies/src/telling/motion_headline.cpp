@@ -123,7 +123,7 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
   const bool settling = std::abs(change) > kSettled,
              ripples = !settling && swing > kSettled * std::abs(mean);
   const double speed = ripples ? mean : at.speed;
-  append(phrase, {"turns at ", strong(value_part(speed, "rad/s"))});
+  append(phrase, {"turns at ", strong(value_part(speed, "rad/s")), ripples ? " on average" : ""});
   if (answer.reference) append(phrase, distance_phrase(speed, answer.reference->value, "rad/s"));
   if (settling) {
     append(phrase, {" after ", time_part(at.time), " and is still becoming ",
@@ -131,8 +131,7 @@ Phrase running_sentence(const MotionResult& answer, const MovedMotor& motor) {
     return phrase;
   }
   if (ripples)
-    append(phrase,
-           {", on the mean of a ripple of ", value_part(swing, "rad/s", 2), " up and down"});
+    append(phrase, {", with a ripple of ", value_part(swing, "rad/s", 2), " to both sides"});
   const double level = answer.reference ? answer.reference->value : at.speed;
   if (const auto reached = time_to(motor, 0.9 * std::abs(level))) {
     append(phrase,

@@ -13,14 +13,18 @@ namespace {
 
 constexpr double kMore = 0.01;  // relative change of what is held
 
-// Beyond the range of a variable the answer is another one, which no slope tells.
-bool leaves_range(const NamedValue& answer, double value, const Sources& sources) {
-  const auto range = range_of(sources, answer.name);
-  return range && (value < range->first || value > range->second);
-}
-
 double change_of(const Move& move, std::size_t j) {
   return move.slopes[j] * kMore * move.held.value;
+}
+
+constexpr double kNotable = 1e-4;  // the last digit of change_part()
+
+// Beyond the range of a variable the answer is another one, which no slope tells.
+bool leaves_range(const NamedValue& answer, const Move& move, std::size_t j,
+                  const Sources& sources) {
+  const auto range = range_of(sources, answer.name);
+  const double then = answer.value + change_of(move, j), room = kNotable * std::fabs(answer.value);
+  return range && (then < range->first - room || then > range->second + room);
 }
 
 // Relative change of a number of the answer; 0 where there is none.
@@ -39,7 +43,6 @@ double most(const std::vector<NamedValue>& answer, const Move& move) {
 // Those that count, the one that counts most first.
 std::vector<const Move*> by_weight(const std::vector<NamedValue>& answer,
                                    const std::vector<Move>& moves) {
-  constexpr double kNotable = 1e-4;  // the last digit of change_part()
   std::vector<const Move*> order;
   for (const Move& move : moves)
     if (most(answer, move) >= kNotable) order.push_back(&move);
@@ -49,10 +52,8 @@ std::vector<const Move*> by_weight(const std::vector<NamedValue>& answer,
 }
 
 // "-1 %", to hundredths of a per cent; the change itself where the answer is 0.
-Part change_part(const NamedValue& answer, const Move& move, std::size_t j,
-                 const Sources& sources) {
+Part change_part(const NamedValue& answer, const Move& move, std::size_t j) {
   const double by = change_of(move, j);
-  if (leaves_range(answer, answer.value + by, sources)) return "out of its range";
   if (answer.value == 0 && by != 0) return change(value_part(by, answer.unit, 3));
   const double share = answer.value == 0 ? 0 : std::round(1e4 * by / answer.value) / 1e4;
   return std::isfinite(by) && share != 0 ? change(share_part(share, 6))
@@ -61,7 +62,7 @@ Part change_part(const NamedValue& answer, const Move& move, std::size_t j,
 
 bool moves_any(const NamedValue& answer, const std::vector<const Move*>& order, std::size_t j) {
   return std::ranges::any_of(order, [&](const Move* move) {
-    return change_part(answer, *move, j, {}).value != 0;  // nor unknown
+    return change_part(answer, *move, j).value != 0;  // nor unknown
   });
 }
 
@@ -77,7 +78,9 @@ Table table_of(const std::vector<NamedValue>& answer, const std::vector<const Mo
     table.heads.push_back({name_part(answer[j].name)});
     table.rows[0].push_back({value_part(answer[j].value, answer[j].unit)});
     for (std::size_t i = 0; i < order.size(); ++i)
-      table.rows[i + 1].push_back({change_part(answer[j], *order[i], j, sources)});
+      table.rows[i + 1].push_back({leaves_range(answer[j], *order[i], j, sources)
+                                       ? "out of its range"
+                                       : change_part(answer[j], *order[i], j)});
   }
   return table;
 }
@@ -98,7 +101,7 @@ std::vector<Phrase> unchanged(const std::vector<NamedValue>& answer,
 std::optional<Phrase> example(const std::vector<NamedValue>& answer, const Move& move,
                               const std::string& goal, const Sources& sources) {
   for (std::size_t j = 0; j < answer.size(); ++j)
-    if (leaves_range(answer[j], answer[j].value + change_of(move, j), sources)) return {};
+    if (leaves_range(answer[j], move, j, sources)) return {};
   std::size_t at = 0;
   for (std::size_t j = 1; j < answer.size(); ++j)
     if (answer[j].name != goal && part_of(answer[j], move, j) > part_of(answer[at], move, at))
@@ -138,7 +141,7 @@ std::vector<Section> moves_sections(
   if (order.empty()) return {};
   section.note = {
       "In each row one parameter is 1 % larger, the others are unchanged, and the answer is found "
-      "again, to first order. What would leave its range is another answer: solve again."};
+      "again, to first order. Where a value would leave its range, solve again."};
   section.sentences = unchanged(answer, order);
   for (const Move* move : order)
     if (auto told = example(answer, *move, goal, sources)) {

@@ -125,9 +125,8 @@ std::vector<Phrase> starts_phrase(const OptimizeResult& answer) {
   if (runs.before > 0)
     append(phrase, {"; " + counted(runs.before, "run") + " with ", name_part("radial_slices"), " ",
                     named_part("radial_slices", runs.slices_before, "1"),
-                    runs.before == 1 ? " was" : " were",
-                    " made first to find its start, with another discretization error: do not "
-                    "compare its values with this one"});
+                    " came first, to find a start: their values have another discretization "
+                    "error, so do not compare them with this one"});
   append(phrase, {". A better design far from all of them is still possible."});
   if (held.empty()) return {phrase};
   append(phrase, {" Each run keeps "});
@@ -186,12 +185,12 @@ Section trust(const OptimizeResult& answer) {
   const Goal goal = priced_goal(answer);
   list.push_back(certificate_phrase(answer.best, is_share(goal) ? "" : goal.unit));
   if (goal.metric != answer.goal.metric)
-    list.push_back({"What the search made as large as it can be is the yield."});
+    list.push_back({"The search made the yield as large as possible, in place of the goal."});
   if (answer.best.certificate.passed && !answer.robust) add(starts_phrase(answer));
   add(scan_phrase(answer));
   if (!answer.without_influence.empty()) {
-    list.push_back({"To first order, nothing depends at this design on "});
-    append(list.back(), listed(name_parts(answer.without_influence)));
+    list.push_back({"To first order, neither the goal nor an active limit depends here on "});
+    append(list.back(), listed(name_parts(answer.without_influence), " or "));
     append(list.back(), {"."});
   }
   const std::vector<optim::Finding>& findings = answer.best.certificate.findings;

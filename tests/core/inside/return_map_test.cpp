@@ -141,8 +141,8 @@ TEST_CASE(
       const PeriodicState state = at(n, speed);
       CAPTURE(i, speed, laps, state.laps);
       REQUIRE(state.status == PeriodicStatus::ok);
-      // Laps that still contract by less than a hundredth end no nearer than this.
-      CHECK(std::fabs(state.lap.means.traction - lap.means.traction) < 1e-7);
+      // 4e-7 beside a fold laps contract by the root of that, a thousandth: a gap of 1e-13 leaves 1e-10.
+      CHECK(std::fabs(state.lap.means.traction - lap.means.traction) < 1e-9);
       saved += laps - state.laps;
     }
   }

@@ -10,6 +10,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/held_point.hpp>
+#include <twum/io/engineering.hpp>
 #include <twum/studies/datasheet.hpp>
 
 #include <CLI/CLI.hpp>
@@ -66,10 +67,13 @@ bool set_held(studies::DatasheetOptions& sheet, const LoadOptions& load,
               const MotorDesign& design) {
   sheet.held_torque = parse_torque("--torque", load.torque);
   sheet.rated_speed = more_than_zero("--speed", parse_speed("--speed", load.speed), load.speed);
-  const HeldStatus status = held_point(design, *sheet.held_torque, *sheet.rated_speed).status;
-  if (status == HeldStatus::ok) return true;
-  say("twum: the drive does not hold this torque at this speed: " + std::string(to_string(status)));
-  explain_reasons({to_string(status)});
+  const HeldPoint held = held_point(design, *sheet.held_torque, *sheet.rated_speed);
+  if (held.status == HeldStatus::ok) return true;
+  const std::string_view unit = needed_unit(held.status);
+  say("twum: the drive does not hold this torque at this speed: " +
+      std::string(to_string(held.status)) +
+      (unit.empty() ? "" : " (what would do: " + studies::engineering(held.needed, unit) + ")"));
+  explain_reasons({to_string(held.status)});
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <twum/core/operating_point.hpp>
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace twum::inline v0_1 {
@@ -23,6 +24,9 @@ enum class HeldStatus : unsigned char {
 
 /// Short machine-readable word, such as "voltage-too-low"; "ok" for ok. Static lifetime.
 const char* to_string(HeldStatus status) noexcept;
+
+/// SI unit of HeldPoint::needed for a status; empty where no single number would do. Static lifetime.
+std::string_view needed_unit(HeldStatus status) noexcept;
 
 /// A torque held at a speed. Numbers are NaN where there is no such wave; where only the drive is too weak they are those of the
 /// wave that would hold the torque.
@@ -52,8 +56,11 @@ HeldPoint held_point(const MotorDesign& design, double torque, double speed, Dri
 /// The same as the design's drive holds it: with its control, within its voltage or amplitude and its range of frequencies.
 HeldPoint held_point(const MotorDesign& design, double torque, double speed);
 
-/// The same for each of some torques at one speed, up to rounding. In rising order they take half the time, because the search for
-/// each begins at the wave of the one before.
+/// The same for each of some torques at one speed, in their order and up to rounding. In rising order they take half the time, because
+/// the search for each begins at the wave of the one before; not with `auto` slices or mu_0 > mu.
+/// @param torques  load torques [N m]
+/// @param speed    of the rotor [rad/s], more than 0
+/// @throws InputError as held_point(), also for no torques
 std::vector<HeldPoint> held_points(const MotorDesign& design, std::span<const double> torques,
                                    double speed);
 

@@ -100,8 +100,8 @@ struct MappedMotor {
   Motor motor;
 };
 
-// The torques of one speed, which are held one after the other; made when a row first asks for one of them.
-struct MapLine {
+// Torques of one speed, which are held one after the other; made when a row first asks for one of them.
+struct MapPiece {
   std::once_flag made;
   std::vector<HeldPoint> held;
 };
@@ -125,17 +125,6 @@ double largest_speed(const Motor& motor) {
   return value_or_none(evaluate(motor, {Metric::held_speed_limit_at, Argument::torque, 0}));
 }
 
-// What would make a drive hold a point has the unit of what is too small.
-std::string unit_of(const HeldPoint& held) {
-  switch (held.status) {
-    case HeldStatus::torque_out_of_reach: return "N.m";
-    case HeldStatus::voltage_too_low: return "V";
-    case HeldStatus::amplitude_too_low: return "m";
-    case HeldStatus::outside_frequency_range: return "Hz";
-    default: return "";
-  }
-}
-
 // A stage for each motor, a row for each point.
 class MapRun : public StudyKindRun {
  public:
@@ -143,7 +132,7 @@ class MapRun : public StudyKindRun {
       : asked_(asked),
         motors_(motors_of(asked, base)),
         columns_(motors_.front().motor.design(), asked.quantity),
-        lines_(motors_.size() * asked.points.speeds) {
+        pieces_(motors_.size() * asked.points.speeds * pieces_of_line()) {
     if (asked.family) family_ = family_column(asked.family->parameter);
   }
 
@@ -181,7 +170,7 @@ class MapRun : public StudyKindRun {
                         place = row.index % asked_.points.torques;
     const double speed = speed_of(line), torque = torque_of(place);
     const MapResult::Point point =
-        point_of(one.motor, torque, speed, held_at(row.stage, line)[place]);
+        point_of(one.motor, torque, speed, held_at(row.stage, line, place));
     if (family_) row.values.push_back(one.value);
     row.values.insert(row.values.end(), {speed, torque});
     row.values.insert(row.values.end(), point.values.begin(), point.values.end());
@@ -211,15 +200,22 @@ class MapRun : public StudyKindRun {
            static_cast<double>(asked_.points.torques - 1);
   }
 
-  // The same whichever thread asks first: a line always begins at its first torque.
-  const std::vector<HeldPoint>& held_at(std::uint64_t motor, std::uint64_t number) const {
-    MapLine& line = lines_[motor * asked_.points.speeds + number];
-    std::call_once(line.made, [&] {
+  // A piece is short enough for a stop request to be seen, also where a point takes 15 ms.
+  static constexpr std::uint64_t kPiece = 40;
+  std::uint64_t pieces_of_line() const { return (asked_.points.torques + kPiece - 1) / kPiece; }
+
+  // The same whichever thread asks first: a piece always begins at its first torque.
+  const HeldPoint& held_at(std::uint64_t motor, std::uint64_t line, std::uint64_t place) const {
+    const std::uint64_t speed = motor * asked_.points.speeds + line,
+                        first = place / kPiece * kPiece;
+    MapPiece& piece = pieces_[speed * pieces_of_line() + place / kPiece];
+    std::call_once(piece.made, [&] {
       std::vector<double> torques;
-      for (std::uint64_t j = 0; j < asked_.points.torques; ++j) torques.push_back(torque_of(j));
-      line.held = held_points(motors_[motor].motor.design(), torques, speed_of(number));
+      for (std::uint64_t j = first; j < std::min(first + kPiece, asked_.points.torques); ++j)
+        torques.push_back(torque_of(j));
+      piece.held = held_points(motors_[motor].motor.design(), torques, speed_of(line));
     });
-    return line.held;
+    return piece.held[place - first];
   }
 
   // The ends that are not given contain what the drives of all motors hold.
@@ -297,16 +293,16 @@ class MapRun : public StudyKindRun {
   MapResult::Duty duty_of(const Motor& motor, const DutyPoint& duty) const {
     const HeldPoint held = held_point(motor.design(), duty.torque, duty.speed);
     return {point_of(motor, duty.torque, duty.speed, held),
-            held.status == HeldStatus::ok ? kNoValue : held.needed, unit_of(held),
-            largest_torque(motor, duty.speed) - duty.torque};
+            held.status == HeldStatus::ok ? kNoValue : held.needed,
+            std::string(needed_unit(held.status)), largest_torque(motor, duty.speed) - duty.torque};
   }
 
   MapStudy asked_;
   std::vector<MappedMotor> motors_;
   MapColumns columns_;
   std::optional<StoredColumn> family_;
-  mutable std::vector<MapLine> lines_;  // speed by speed, motor by motor
-  mutable std::mutex mutex_;            // of what follows
+  mutable std::vector<MapPiece> pieces_;  // speed by speed, motor by motor
+  mutable std::mutex mutex_;              // of what follows
   mutable std::optional<Ends> ends_;
 };
 
