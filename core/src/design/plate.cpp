@@ -4,12 +4,11 @@
 #include "design/plate_numbers.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/once.hpp>
 
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <utility>
 
 namespace twum::inline v0_1 {
@@ -26,29 +25,6 @@ struct [[gnu::visibility("hidden")]] SolvedPlate::Known {
     double wavelengths, contact_radius, contact_width;
 
     bool operator==(const Input&) const = default;
-  };
-  /// A number that is computed when it is first asked for. Threads that ask at once wait for one of them.
-  template <typename T>
-  class Lazy {
-   public:
-    template <typename Make>
-    const T& get(Make make) const {
-      struct Call {
-        const Lazy* self;
-        Make* make;
-      } call{this, &make};
-      // By a plain function: a template of the standard library for a type of ours is visible in programs.
-      void (*const run)(void*) = [](void* at) {
-        const Call& one = *static_cast<Call*>(at);
-        one.self->value_.emplace((*one.make)());
-      };
-      std::call_once(asked_, run, static_cast<void*>(&call));
-      return *value_;
-    }
-
-   private:
-    mutable std::once_flag asked_;
-    mutable std::optional<T> value_;
   };
   using Model = std::shared_ptr<const StatorModel>;
 
@@ -83,9 +59,9 @@ struct [[gnu::visibility("hidden")]] SolvedPlate::Known {
 
   Input input;
   stator::SolvedStator stator;
-  std::array<Lazy<Model>, 2> waves{};  // without derivatives, and with them
-  std::array<Lazy<stator::Derived>, 2> separations{};
-  Lazy<Model> all{};  // with the modes beside the wave
+  std::array<Once<Model>, 2> waves{};  // without derivatives, and with them
+  std::array<Once<stator::Derived>, 2> separations{};
+  Once<Model> all{};  // with the modes beside the wave
 };
 
 namespace {

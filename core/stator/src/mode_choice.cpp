@@ -12,10 +12,6 @@
 namespace twum::inline v0_1::stator {
 namespace {
 
-constexpr int kLowest = 8;  // modes of an order that are looked at
-// Eigenvectors whose eigenvalues are nearer than this are known to rounding over the gap, 1e-12 / 1e-6,
-// at best, and their derivatives to the square of that.
-constexpr double kCrossing = 1e-6;
 constexpr double kShared = 2;  // modal masses within this factor
 
 }  // namespace
@@ -30,9 +26,9 @@ bool crosses(const Spectrum& spectrum, std::size_t mode) {
 }
 
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
-                  int nodal_diameters) {
+                  int nodal_diameters, int count) {
   Order order{make_mesh(plate.segments, theory, support, nodal_diameters), {}, {}};
-  order.spectrum = solve(order.mesh, plate.segments, kLowest);
+  order.spectrum = solve(order.mesh, plate.segments, count);
   for (const double eigenvalue : order.spectrum.eigenvalues)
     order.frequencies.push_back(frequency_of(eigenvalue, plate.segments));
   return order;

@@ -10,15 +10,19 @@
 
 namespace twum::inline v0_1::stator {
 
-/// All modes of one number of nodal diameters.
+/// The lowest modes of one number of nodal diameters.
 struct Order {
   Mesh mesh;
   Spectrum spectrum;
-  std::vector<double> frequencies;  ///< of the lowest modes; 0 of rigid-body modes [Hz]
+  std::vector<double> frequencies;  ///< 0 of rigid-body modes [Hz]
 };
 
+inline constexpr int kLowest = 8;  ///< modes of an order that are looked at
+/// Modes of an order that in most plates reach beyond the wave by more than the nearest mode; found in two thirds of the time.
+inline constexpr int kFew = 4;
+
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
-                  int nodal_diameters);
+                  int nodal_diameters, int count);
 
 /// What a mode of an order is.
 StatorMode described(const Order& order, const StatorPlate<double>& plate, double contact_radius,
@@ -41,7 +45,11 @@ struct Choice {
 Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner,
                    double contact_radius);
 
-/// Whether another mode of the order has the same eigenvalue to 1e-6.
+/// Eigenvectors whose eigenvalues are nearer than this are known to rounding over the gap, 1e-12 / 1e-6,
+/// at best, and their derivatives to the square of that.
+inline constexpr double kCrossing = 1e-6;
+
+/// Whether another mode of the order has the same eigenvalue to kCrossing.
 bool crosses(const Spectrum& spectrum, std::size_t mode);
 
 /// All other modes, nearest frequency first.

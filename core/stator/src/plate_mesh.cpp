@@ -52,23 +52,25 @@ std::shared_ptr<const BasisTable> basis_of(PlateTheory theory, bool narrow) {
   return (theory == PlateTheory::mindlin ? mindlin : kirchhoff)[narrow ? 1 : 0];
 }
 
-// Numbers the functions of an element; those of its inner end are the outer ones of the element before.
+// Numbers the functions of an element; those of its inner end are the outer ones of the element before. The outer end comes last:
+// eliminated in this order, nothing that ends in an element touches the elements beyond it.
 std::vector<std::vector<int>> number_functions(Mesh& mesh, const Basis& basis,
                                                const Element* before, InnerEdge inner_edge) {
-  std::vector<std::vector<int>> dofs;
-  for (int field = 0; field < mesh.fields(); ++field) {
-    auto& numbers = dofs.emplace_back();
-    for (int i = 0; i < basis.size(); ++i) {
-      if (i >= basis.at_end()) {
-        numbers.push_back(mesh.unknowns++);
-      } else if (before) {
-        const auto& outer = before->dofs[static_cast<std::size_t>(field)];
-        numbers.push_back(outer[static_cast<std::size_t>(basis.at_end() + i)]);
-      } else {
-        numbers.push_back(held(inner_edge, mesh.theory, field, i) ? -1 : mesh.unknowns++);
-      }
+  const auto fields = static_cast<std::size_t>(mesh.fields());
+  const auto size = static_cast<std::size_t>(basis.size());
+  const auto end = static_cast<std::size_t>(basis.at_end());
+  std::vector<std::vector<int>> dofs(fields, std::vector<int>(size, -1));
+  for (std::size_t field = 0; field < fields; ++field) {
+    for (std::size_t i = 0; i < end; ++i) {
+      if (before)
+        dofs[field][i] = before->dofs[field][end + i];
+      else if (!held(inner_edge, mesh.theory, static_cast<int>(field), static_cast<int>(i)))
+        dofs[field][i] = mesh.unknowns++;
     }
+    for (std::size_t i = 2 * end; i < size; ++i) dofs[field][i] = mesh.unknowns++;
   }
+  for (std::size_t field = 0; field < fields; ++field)
+    for (std::size_t i = end; i < 2 * end; ++i) dofs[field][i] = mesh.unknowns++;
   return dofs;
 }
 

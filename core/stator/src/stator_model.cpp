@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/error.hpp>
+#include <twum/base/once.hpp>
 #include <twum/stator/stator_model.hpp>
 
 #include "mode_choice.hpp"
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
-#include <optional>
 #include <string>
 
 namespace twum::inline v0_1::stator {
@@ -110,8 +109,8 @@ struct [[gnu::visibility("hidden")]] SolvedStator::Modes {
   std::size_t wave;
   ModeIdentity identity;
 
-  /// The wave among the modes of all orders, and the others, nearest frequency first.
-  struct All {
+  /// The wave among modes of n - 2 to n + 2, and the others, nearest frequency first.
+  struct Found {
     std::vector<Order> orders;
     ModePlace wave;
     std::vector<ModePlace> others;
@@ -123,29 +122,39 @@ struct [[gnu::visibility("hidden")]] SolvedStator::Modes {
       return std::abs(frequency(place) - frequency(wave));
     }
   };
-  const All& all() const {
-    void (*const run)(const void*) = [](const void* at) {
-      const Modes& self = *static_cast<const Modes*>(at);
-      self.beside = self.solved_beside();
-    };
-    std::call_once(beside_asked, run, static_cast<const void*>(this));
-    return *beside;
+  /// All modes that are looked at.
+  const Found& all() const {
+    return all_.get([this] { return beside(kLowest); });
+  }
+  /// Those that determine the nearest of them: few of each order suffice, unless others may be as near or cross it.
+  const Found& nearest() const {
+    const Found& found = few_.get([this] { return beside(kFew); });
+    return settle_nearest(found) ? found : all();
   }
 
   // P4.7
-  All solved_beside() const {
-    All all;
+  Found beside(int count) const {
+    Found found;
     const int lowest = std::max(0, wavelengths - 2);
     for (int n = lowest; n <= wavelengths + 2; ++n)
-      all.orders.push_back(n == wavelengths ? order
-                                            : solve_order(plate, theory, geometry.support, n));
-    all.wave = {static_cast<std::size_t>(wavelengths - lowest), wave};
-    all.others = by_distance(all.orders, all.wave);
-    return all;
+      found.orders.push_back(
+          n == wavelengths ? order : solve_order(plate, theory, geometry.support, n, count));
+    found.wave = {static_cast<std::size_t>(wavelengths - lowest), wave};
+    found.others = by_distance(found.orders, found.wave);
+    return found;
   }
 
-  mutable std::once_flag beside_asked{};
-  mutable std::optional<All> beside{};
+  static bool settle_nearest(const Found& found) {
+    if (found.others.empty()) return false;
+    const double wave = found.frequency(found.wave);
+    const double reach = wave + found.distance(found.others[0]) + kCrossing * wave;
+    return std::all_of(found.orders.begin(), found.orders.end(), [&](const Order& order) {
+      return order.mesh.nodal_diameters == found.orders[found.wave.order].mesh.nodal_diameters ||
+             (!order.frequencies.empty() && order.frequencies.back() >= reach);
+    });
+  }
+
+  Once<Found> few_{}, all_{};
 };
 
 SolvedStator::SolvedStator(const StatorGeometry& geometry, int wavelengths, double contact_radius,
@@ -154,7 +163,7 @@ SolvedStator::SolvedStator(const StatorGeometry& geometry, int wavelengths, doub
   StatorPlate<double> plate = make_plate(geometry, plain_numbers(geometry, contact_radius));
   check_wave(geometry, plate, wavelengths, contact_radius);
   check_track(plate, contact_radius, offsets);
-  Order order = solve_order(plate, theory, geometry.support, wavelengths);
+  Order order = solve_order(plate, theory, geometry.support, wavelengths, kLowest);
   const double ring_inner =
       geometry.web ? geometry.web->outer_radius : plate.segments.front().inner;
   const Choice choice = choose_mode(order, plate, ring_inner, contact_radius);
@@ -172,27 +181,27 @@ SolvedStator::SolvedStator(const StatorGeometry& geometry, int wavelengths, doub
 // Distance to the nearest other mode (P4.7). It has no derivative where two others are equally near, where
 // it is zero, and where the other mode crosses one of its own order.
 Derived SolvedStator::mode_separation(Derivatives derivatives) const {
-  const Modes::All& all = modes_->all();
-  if (all.others.empty()) return undifferentiated(std::numeric_limits<double>::quiet_NaN());
-  const ModePlace nearest = all.others[0];
-  const double value = all.distance(nearest);
-  const double tie = 1e-9 * all.frequency(all.wave);
-  const bool kink = value < tie || all.distance(all.others[1]) - value < tie ||
-                    crosses(all.orders[nearest.order].spectrum, nearest.mode);
+  const Modes::Found& found = modes_->nearest();
+  if (found.others.empty()) return undifferentiated(std::numeric_limits<double>::quiet_NaN());
+  const ModePlace nearest = found.others[0];
+  const double value = found.distance(nearest);
+  const double tie = 1e-9 * found.frequency(found.wave);
+  const bool kink = value < tie || found.distance(found.others[1]) - value < tie ||
+                    crosses(found.orders[nearest.order].spectrum, nearest.mode);
   const bool wave_crosses = modes_->identity == ModeIdentity::crossing;
   if (derivatives == Derivatives::none || kink || wave_crosses) return undifferentiated(value);
   const auto plate =
       make_plate(modes_->geometry, dual_numbers(modes_->geometry, modes_->contact_radius));
   const auto frequency = [&](const ModePlace& place) {
-    const Order& order = all.orders[place.order];
+    const Order& order = found.orders[place.order];
     return sqrt(derived_eigenvalue(order.mesh, plate.segments, order.spectrum, place.mode)) /
            (2 * std::numbers::pi);
   };
-  return magnitude(frequency(nearest) - frequency(all.wave));
+  return magnitude(frequency(nearest) - frequency(found.wave));
 }
 
 std::vector<StatorMode> SolvedStator::unwanted() const {
-  const Modes::All& all = modes_->all();
+  const Modes::Found& all = modes_->all();
   std::vector<StatorMode> list;
   for (const ModePlace& place : all.others)
     list.push_back(

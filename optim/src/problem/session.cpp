@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <mutex>
 
 namespace twum::inline v0_1::optim {
 namespace {
@@ -53,6 +55,15 @@ void mark_undefined(Evaluation& e, const Problem& problem, std::span<const doubl
 }
 
 }  // namespace
+
+Observer serialized(const Observer& observer) {
+  if (!observer) return {};
+  auto lock = std::make_shared<std::mutex>();
+  return [observer, lock](const Observation& o) {
+    const std::lock_guard<std::mutex> guard(*lock);
+    observer(o);
+  };
+}
 
 double Deadline::elapsed() const {
   return std::chrono::duration<double>(Clock::now() - begin_).count();

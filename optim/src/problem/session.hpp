@@ -8,6 +8,9 @@
 
 namespace twum::inline v0_1::optim {
 
+/// Stages between the first ones of solves that run at the same time: more than one solve ever takes.
+inline constexpr std::uint64_t kStagesOfASolve = 1000;
+
 /// Thrown through a solver when the solve must end; never leaves the library.
 struct Stop {
   StopReason reason;
@@ -25,6 +28,9 @@ class Deadline {
   Clock::time_point begin_;
   double seconds_;
 };
+
+/// An observer whose calls a lock serializes: observers need not be thread-safe. Empty for none.
+Observer serialized(const Observer& observer);
 
 /// Access to the evaluator for one stage. Counts calls, caches the last points, enforces the budget and calls the
 /// observer.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/robust_search.hpp"
 
+#include "problem/session.hpp"
 #include "robust/statistic_verdict.hpp"
 #include "robust/verification.hpp"
 #include "search/range_place.hpp"
@@ -18,7 +19,6 @@
 namespace twum::inline v0_1::optim {
 namespace {
 
-constexpr std::uint64_t kStagesOfASolve = 1000;        // more than one search ever takes
 constexpr double kDesignStill = 1e-3;                  // of the unit box
 constexpr std::uint64_t kFreshScrambles = 10'000;      // apart from those that correct
 constexpr std::uint64_t kSoughtScrambles = 1'000'000;  // apart from both

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/scan.hpp>
 
-#include "problem/session.hpp"
 #include "search/range_place.hpp"
+#include "search/range_sample.hpp"
 
-#include <twum/optim/low_discrepancy.hpp>
+#include <twum/base/ordered.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,12 @@ std::vector<double> unit_of(const Problem& problem, const std::vector<double>& d
 class FurtherLook {
  public:
   FurtherLook(const Problem& problem, const SolveOptions& options, Result found)
-      : problem_(problem), options_(options), found_(std::move(found)) {}
+      : problem_(problem),
+        options_(options),
+        found_(std::move(found)),
+        deadline_(options.budget.seconds - found_.seconds) {
+    options_.observer = serialized(options.observer);
+  }
 
   Result run() {
     const bool feasible = found_.outcome == Outcome::optimal || found_.outcome == Outcome::feasible;
@@ -49,13 +54,14 @@ class FurtherLook {
     const bool several = options_.starts > 1 && found_.stages.size() > 1;
     sample();
     const bool better = found_.scan.better > 0;
-    if (better || several)
-      for (const Sample& start : starts()) {
-        follow(start);
-        if (better && found_.scan.replaced) break;
-      }
+    const auto from = better || several ? starts() : std::vector<Sample>{};
+    // A better sample is in all likelihood the start of a better answer.
+    const std::size_t alone = better ? std::min<std::size_t>(1, from.size()) : 0;
+    follow(std::span(from).first(alone));
+    if (!(better && found_.scan.replaced)) follow(std::span(from).subspan(alone));
     // A better design is known, so this one is not an optimum.
     if (better && !found_.scan.replaced) found_.outcome = Outcome::feasible;
+    found_.seconds += deadline_.elapsed();
     return std::move(found_);
   }
 
@@ -86,31 +92,22 @@ class FurtherLook {
   }
 
   void sample() {
-    const Deadline deadline(options_.budget.seconds - found_.seconds);
-    Session session(problem_, options_, deadline, options_.first_stage + found_.stages_used++,
-                    left());
-    try {
-      // Other seeds are those of the starts and of the first design that can be evaluated.
-      for (const auto& unit : sobol_points(problem_.variables.size(),
-                                           std::min(options_.scan, left()), options_.seed + 2))
-        look_at(session, unit);
-    } catch (const Stop& stop) {
-      found_.stop = stop.reason;
-    }
-    found_.counters.add(session.counters());
-    found_.seconds += deadline.elapsed();
+    SolveOptions options = options_;
+    options.first_stage += found_.stages_used;
+    const Result cost = sample_range(problem_, options, deadline_, std::min(options_.scan, left()),
+                                     [this](RangeDesign& d) { look_at(d); });
+    if (cost.stop != StopReason::finished) found_.stop = cost.stop;
+    found_.scan.designs = cost.counters.evaluations;
+    found_.counters.add(cost.counters);
+    found_.stages_used += cost.stages_used;
   }
 
-  void look_at(Session& session, std::vector<double> unit) {
-    std::vector<double> design = design_at(problem_, unit);
-    const Evaluation& evaluation = session.at(design, false);
-    Scan& scan = found_.scan;
-    ++scan.designs;
-    if (!evaluation.ok() || !feasible(evaluation)) return;
-    ++scan.feasible;
-    const double value = objective(evaluation);
-    if (clearly_better(value)) ++scan.better;
-    seen_.push_back({std::move(unit), std::move(design), value});
+  void look_at(RangeDesign& d) {
+    if (!feasible(d.evaluation)) return;
+    ++found_.scan.feasible;
+    const double value = objective(d.evaluation);
+    if (clearly_better(value)) ++found_.scan.better;
+    seen_.push_back({std::move(d.place), std::move(d.design), value});
   }
 
   // The best samples without a better one, or the answer, within the critical distance: each may lie in a valley of its own.
@@ -142,22 +139,38 @@ class FurtherLook {
 
   bool clearly_better(double value) const { return value < before_ - kClearly * std::abs(before_); }
 
-  // A search from a sample; its answer is at least as good as that design, which it has seen.
-  void follow(const Sample& start) {
-    if (left() == 0 || found_.stop != StopReason::finished) return;
+  // Searches from samples, on several threads; each has an equal share of the budget and stages of its own, so that the answers
+  // do not depend on the order.
+  void follow(std::span<const Sample> starts) {
+    if (starts.empty() || left() == 0 || found_.stop != StopReason::finished) return;
+    SolveOptions options = options_;
+    options.starts = 1;
+    options.analyse_infeasible = false;
+    options.budget.evaluations = left() / starts.size();
+    options.budget.seconds -= found_.seconds + deadline_.elapsed();
+    const std::uint64_t first = options_.first_stage + found_.stages_used;
+    run_indexed(
+        {0, starts.size(), static_cast<unsigned>(options_.jobs), {}},
+        [&](std::uint64_t i) {
+          SolveOptions own = options;
+          own.first_stage = first + kStagesOfASolve * i;
+          return solve(from(starts[i]), own);
+        },
+        [&](std::uint64_t, std::vector<Result>& answers) {
+          for (Result& answer : answers) take(std::move(answer));
+        });
+    found_.stages_used = first + kStagesOfASolve * starts.size() - options_.first_stage;
+  }
+
+  // The answer of a search from a sample is at least as good as that design, which it has seen.
+  Problem from(const Sample& start) const {
     Problem there = problem_;
     for (std::size_t j = 0; j < there.variables.size(); ++j) {
       Variable& variable = there.variables[j];
       variable.start = start.design[j];
       if (variable.integer) variable.lower = variable.upper = variable.start;
     }
-    SolveOptions options = options_;
-    options.starts = 1;
-    options.analyse_infeasible = false;
-    options.first_stage += found_.stages_used;
-    options.budget.evaluations = left();
-    options.budget.seconds -= found_.seconds;
-    take(solve(there, options));
+    return there;
   }
 
   void take(Result better) {
@@ -167,13 +180,10 @@ class FurtherLook {
                        clearly_better(objective(better.evaluation));
     better.counters.add(found_.counters);
     better.stages.insert(better.stages.begin(), found_.stages.begin(), found_.stages.end());
-    better.stages_used += found_.stages_used;
-    better.seconds += found_.seconds;
+    better.seconds = found_.seconds;  // of the searches before
     if (!beats) {
       found_.counters = std::move(better.counters);
       found_.stages = std::move(better.stages);
-      found_.stages_used = better.stages_used;
-      found_.seconds = better.seconds;
       return;
     }
     better.scan = found_.scan;
@@ -187,8 +197,9 @@ class FurtherLook {
   }
 
   const Problem& problem_;
-  const SolveOptions& options_;
+  SolveOptions options_;
   Result found_;
+  Deadline deadline_;
   double before_{kInfinity};
   std::vector<Sample> seen_;  // those that keep every limit
 };

@@ -2,18 +2,17 @@
 #include <twum/optim/solve.hpp>
 
 #include <twum/optim/low_discrepancy.hpp>
-#include <twum/optim/scan.hpp>
 
 #include "search/causes.hpp"
 #include "search/infeasibility.hpp"
 #include "search/integer_search.hpp"
+#include "search/range_sample.hpp"
 #include "search/solve_continuous.hpp"
 #include "search/without_derivatives.hpp"
 #include "solvers/allowance.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <twum/base/error.hpp>
 
 namespace twum::inline v0_1::optim {
@@ -227,21 +226,13 @@ class ContinuousSolve {
   std::vector<std::vector<double>> least_infeasible_samples() {
     constexpr std::size_t kKept = 3;
     std::vector<std::pair<double, std::vector<double>>> seen;
-    SolverRun look;
-    look.session = std::make_unique<Session>(runner_.problem(), options_, runner_.deadline(),
-                                             runner_.take_stage(), runner_.left());
-    try {
-      for (const auto& part :
-           sobol_points(runner_.problem().variables.size(), options_.scan, options_.seed + 2)) {
-        const std::vector<double> design = design_at(runner_.problem(), part);
-        const Evaluation& evaluation = look.session->at(design, false);
-        if (evaluation.ok())
-          seen.emplace_back(runner_.excess(evaluation.values), runner_.scaling().to_unit(design));
-      }
-    } catch (const Stop& stop) {
-      look.report.stop = stop.reason;
-    }
-    runner_.book(look);
+    SolveOptions options = options_;
+    options.first_stage = runner_.next_stage();
+    runner_.book(sample_range(runner_.problem(), options, runner_.deadline(),
+                              std::min(options_.scan, runner_.left()), [&](RangeDesign& d) {
+                                seen.emplace_back(runner_.excess(d.evaluation.values),
+                                                  runner_.scaling().to_unit(d.design));
+                              }));
     const auto kept = std::min(kKept, seen.size());
     std::partial_sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(kept), seen.end());
     std::vector<std::vector<double>> units;
@@ -343,16 +334,6 @@ class ContinuousSolve {
   SolverRun best_;
   std::vector<double> least_infeasible_;
 };
-
-// Observers need not be thread-safe: a lock serializes their calls.
-Observer serialized(const Observer& observer) {
-  if (!observer) return {};
-  auto lock = std::make_shared<std::mutex>();
-  return [observer, lock](const Observation& o) {
-    const std::lock_guard<std::mutex> guard(*lock);
-    observer(o);
-  };
-}
 
 // Goes on from a design that keeps every limit, with the budget that is left.
 Result solve_from(const Problem& problem, std::span<const double> design,

@@ -62,8 +62,9 @@ enum class Derivatives { none, all };
 /// and `unwanted` empty.
 enum class OtherModes { none, found };
 
-/// A stator whose travelling wave was found. What else is asked of it is computed then: derivatives take as long as the wave
-/// itself, and the modes beside it, of n - 2 to n + 2, four times as long; these are kept. Immutable and thread-safe; copies
+/// A stator whose travelling wave was found. What else is asked of it is computed then: derivatives and the distance of the
+/// nearest mode each take up to twice as long as the wave itself, and all modes beside it, of n - 2 to n + 2, four times as long;
+/// what was found of these is kept. Immutable and thread-safe; copies
 /// share what was found. Arguments, exceptions and derivatives are those of stator_model().
 class SolvedStator {
  public:
