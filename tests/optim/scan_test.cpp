@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 using namespace twum;
@@ -84,7 +86,38 @@ TEST_CASE("of one valley no sample is better, and the answer stays as it is", "[
   // Half of the range keeps the limit.
   CHECK(std::abs(static_cast<double>(result.scan.feasible) - 256) <= 1);
   CHECK(result.counters.evaluations == local.counters.evaluations + 512);
-  CHECK(result.stages_used == local.stages_used + 1);
+  CHECK(result.stages.size() == local.stages.size());  // no search began at a sample
+}
+
+// Many valleys, so that each of the four best samples without a better one nearby has one of its own.
+TEST_CASE("threads change neither the look for better valleys nor its evaluations",
+          "[optim][scan][determinism]") {
+  Problem problem;
+  problem.variables = test::box(2, 0.0, 1.0, {0.1, 0.1});
+  problem.objectives = {{"f"}};
+  problem.evaluate = test::dual_evaluator<2>(1, [](const D* x, D* r) {
+    r[0] = sin(25.0 * x[0]) * sin(25.0 * x[1]) + 0.1 * (x[0] + x[1]);
+  });
+  const auto run = [&](std::size_t threads) {
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<double>> seen;
+    SolveOptions options;
+    options.starts = 2;
+    options.jobs = threads;
+    options.observer = [&](const Observation& o) {
+      CHECK(seen.emplace(std::pair{o.stage, o.index},
+                         std::vector<double>(o.design.begin(), o.design.end()))
+                .second);
+    };
+    const Result local = solve(problem, options);
+    const Result r = look_further(problem, options, local);
+    CHECK(r.scan.designs == 512);
+    CHECK(r.counters.evaluations == seen.size());
+    CHECK(r.stages.size() > local.stages.size());
+    return std::tuple{r.design, r.counters.evaluations, seen};
+  };
+  const auto one = run(1);
+  CHECK(run(2) == one);
+  CHECK(run(5) == one);
 }
 
 TEST_CASE("the sample takes what is left of the budget", "[optim][scan]") {
