@@ -2,6 +2,7 @@
 #include "curve/crossings.hpp"
 
 #include "contact/load_shape.hpp"
+#include "curve/goal.hpp"
 #include "curve/speed_roots.hpp"
 
 #include <algorithm>
@@ -14,6 +15,10 @@ constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbou
 constexpr double kNextSpeed = 1e-13;  // of a speed
 constexpr double kLeastStep = 2e-16;  // of a speed
 constexpr int kTriedBeside = 2;
+constexpr double kRise =
+    1.01;  // of a falling torque: a thousandth, of what the speed takes from the wave's turn (E6.7)
+constexpr int kAboutPeak =
+    2;  // nodes on each side of the best one which the search for the peak looks at
 
 // Where to begin, and the torque's slope there.
 struct UsualNoLoad {
@@ -107,7 +112,7 @@ Crossing CurveCrossings::no_load() {
 }
 
 Vector<CurvePoint> CurveCrossings::working_nodes() {
-  const Vector<CurvePoint>& all = scan_.nodes();
+  const Vector<CurvePoint>& all = all_nodes();
   Vector<CurvePoint> nodes(all.begin(), all.end() - 1);
   const double end = no_load().speed;
   if (!(end > nodes.back().speed)) return nodes;
@@ -118,11 +123,47 @@ Vector<CurvePoint> CurveCrossings::working_nodes() {
   return nodes;
 }
 
+Vector<CurvePoint> CurveCrossings::powerful_nodes() {
+  const Vector<CurvePoint>& few = powerful_of_falling();
+  return few.empty() ? working_nodes() : few;
+}
+
+const Vector<CurvePoint>& CurveCrossings::powerful_of_falling() {
+  if (!powerful_) powerful_ = scan_.falls_smoothly() ? from_no_load_down() : Vector<CurvePoint>{};
+  return *powerful_;
+}
+
+// The scan goes on from them, so that its points are the same whatever is asked first.
+const Vector<CurvePoint>& CurveCrossings::all_nodes() {
+  powerful_of_falling();
+  return scan_.nodes();
+}
+
+// To where even the torque of the first point is too little for the power, and no hump can be worth a look.
+Vector<CurvePoint> CurveCrossings::from_no_load_down() {
+  const double end = no_load().speed, most = kRise * scan_.first().torque;
+  Vector<CurvePoint> nodes{{.speed = end}};
+  double best = 0;
+  int below_best = 0;
+  for (int k = scan_.below(end); k >= 0; --k) {
+    const CurvePoint& next = k == 0 ? scan_.first() : scan_.on_grid(k);
+    if (!next.ok()) return {};
+    if (!(next.torque > 0)) continue;  // beside no-load
+    nodes.push_back(next);
+    const double power = next.torque * next.speed;
+    below_best = power > best ? 0 : below_best + 1;
+    best = std::max(best, power);
+    if (below_best >= kAboutPeak && most * next.speed <= GoalCurve::kNearly * best) break;
+  }
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
 double CurveCrossings::plateau_end() {
   if (plateau_end_) return *plateau_end_;
   const Curve& curve = points_.curve();
   if (!scan_.drives() || !scan_.starts_on_plateau()) return *(plateau_end_ = 0.0);
-  const Vector<CurvePoint>& nodes = scan_.nodes();
+  const Vector<CurvePoint>& nodes = all_nodes();
   const auto beyond =
       std::find_if(nodes.begin(), nodes.end(), [](const CurvePoint& n) { return !n.plateau; });
   const double low = beyond[-1].speed, high = beyond->speed;

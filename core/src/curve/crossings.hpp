@@ -24,6 +24,8 @@ class CurveCrossings {
 
   /// Points of the scan up to no-load, the last one there.
   Vector<CurvePoint> working_nodes();
+  /// Those of them between which the largest power lies: of a torque that falls, the ones at the highest speeds.
+  Vector<CurvePoint> powerful_nodes();
   /// Where the torque falls through a value between two points, of which the slower one carries it.
   Crossing falls_through(double torque, const CurvePoint& low, const CurvePoint& high);
   /// True if the curve has a plateau that ends at this speed.
@@ -31,6 +33,9 @@ class CurveCrossings {
 
  private:
   std::optional<double> zero_of_falling();
+  const Vector<CurvePoint>& all_nodes();
+  const Vector<CurvePoint>& powerful_of_falling();
+  Vector<CurvePoint> from_no_load_down();
   CurvePoint answered_beside(double speed) const;
   std::optional<double> zero_near(double torque, const CurvePoint& low, const CurvePoint& high);
   double margin_end(double low, double high) const;
@@ -41,6 +46,7 @@ class CurveCrossings {
   CurvePoints& points_;
   CurveScan& scan_;
   std::optional<Crossing> no_load_;
+  std::optional<Vector<CurvePoint>> powerful_;  // empty where it is not known which they are
   std::optional<double> plateau_end_;
 };
 

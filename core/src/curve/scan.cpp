@@ -153,6 +153,10 @@ const CurvePoint& CurveScan::on_grid(int k) {
   return place->second;
 }
 
+int CurveScan::below(double speed) {
+  return static_cast<int>(std::ceil((speed - first().speed) / step())) - 1;
+}
+
 // A layer that slips all through at one speed does so at every lower one: halving finds the last node on
 // the plateau, and of those before only the first one is kept.
 void CurveScan::skip_plateau() {
@@ -184,8 +188,10 @@ void CurveScan::run() {
   for (double speed = nodes_.back().speed + stride; nodes_.back().torque > 0; speed += stride) {
     if (speed > kFarthest * curve.crest()) throw SearchFailure{MetricStatus::unresolved};
     if (speed > 2 * curve.crest()) stride *= 1.5;
-    const auto kept = grid_.find(static_cast<int>(std::lround((speed - first().speed) / step())));
-    const CurvePoint next = kept != grid_.end() ? kept->second : node(speed, walk_);
+    const bool by_steps = followed.empty() && speed <= 2 * curve.crest();
+    const CurvePoint next =
+        by_steps ? on_grid(static_cast<int>(std::lround((speed - first().speed) / step())))
+                 : node(speed, walk_);
     if (next.status == MetricStatus::no_periodic_state) gaps_.push_back(speed);
     missing = next.ok() ? 0 : missing + 1;
     if (missing > kMissing) throw SearchFailure{next.status};

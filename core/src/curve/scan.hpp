@@ -35,8 +35,11 @@ class CurveScan {
   /// Speeds among the nodes, once these are found, without a periodic state.
   const Vector<double>& gaps() const { return gaps_; }
 
-  /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan.
+  /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan of the whole curve.
   bool falls_smoothly() const;
+  /// The node k steps beyond the first, and how many there are below a speed.
+  const CurvePoint& on_grid(int k);
+  int below(double speed);
   /// A point as good as a node: exact only where its sign is in doubt.
   CurvePoint node(double speed, Walk& walk);
   /// A node's torque is so close to a value that its accuracy counts.
@@ -51,7 +54,6 @@ class CurveScan {
 
  private:
   double step() const;
-  const CurvePoint& on_grid(int k);
   CurvePoint checked(CurvePoint node, Walk& walk);
   void run();
   CurvePoint first_that_drives(const CurvePoint& begin);
@@ -61,7 +63,7 @@ class CurveScan {
   CurvePoints& points_;
   Vector<CurvePoint> nodes_;
   Vector<double> gaps_;
-  Map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
+  Map<int, CurvePoint> grid_;  // nodes by steps from the first
   Walk walk_;
   Map<double, Vector<CurvePoint>> rippled_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;

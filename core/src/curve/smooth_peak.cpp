@@ -18,7 +18,8 @@ SmoothPeakSearch::SmoothPeakSearch(Goal goal, CurvePoints& points, CurveScan& sc
       points_(points),
       scan_(scan),
       crossings_(crossings),
-      nodes_(with_ripples(crossings.working_nodes())) {}
+      nodes_(with_ripples(goal == Goal::power ? crossings.powerful_nodes()
+                                              : crossings.working_nodes())) {}
 
 Peak SmoothPeakSearch::find() {
   const std::size_t top = goal_.highest(nodes_);

@@ -35,7 +35,8 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   }
   const DrivenMotor<double>& m = MotorParts::model(motor);
   const SolvedPoint solved = solve_point(m, speed);
-  const auto n = solved.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed));
+  const auto n = solved.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed),
+                                       contact::Means::all);
   d.torque = n.torque.d[0];
   d.output_power = d.point.torque + speed * d.torque;
   d.stator_power = n.stator_power.d[0];

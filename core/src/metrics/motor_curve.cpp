@@ -68,7 +68,7 @@ CurveSlope PrescribedCurve::slope(double speed, const WarmStart* guess) const {
   const SolvedPoint solved = solve_point(m, speed, guess);
   require_answer(solved);
   const PointNumbers<MotionDual> n =
-      solved.differentiated(m, MotionDual::variable(speed, kInSpeed));
+      solved.differentiated(m, MotionDual::variable(speed, kInSpeed), contact::Means::of_wave);
   const auto sloped = [](const MotionDual& x) { return Sloped{x.v, x.d[kInSpeed]}; };
   CurveSlope s{
       speed, sloped(n.torque), sloped(n.stator_power + stator_loss(m)), {}, solved.start()};

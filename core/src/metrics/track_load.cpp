@@ -29,8 +29,8 @@ std::optional<SolvedLoad> near_speed(const MotorDesign& design, double torque, d
   for (int i = 0; i < kMostSteps; ++i) {
     SolvedPoint point = solve_point(m, speed);
     if (point.status != PointStatus::ok) return {};
-    const auto moving =
-        point.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed));
+    const auto moving = point.differentiated(
+        m, contact::MotionDual::variable(speed, contact::kInSpeed), contact::Means::of_wave);
     const double slope = moving.torque.d[contact::kInSpeed];
     const double step = (torque - moving.torque.v) / slope;
     if (!(slope < 0) || !(std::fabs(step) <= last)) return {};

@@ -184,9 +184,11 @@ class SolvedPoint {
   /// The same of each slice by itself, in their order; none for a point without a periodic state behind it.
   Vector<PointNumbers<ModelDual>> differentiated_slices(const DrivenMotor<ModelDual>& motor,
                                                         const ModelDual& speed) const;
-  /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.
+  /// The numbers, friction power and layer loss only if all means are wanted, with derivatives in speed under the same wave;
+  /// those in amplitude are zero.
   PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
-                                                   const contact::MotionDual& speed) const;
+                                                   const contact::MotionDual& speed,
+                                                   contact::Means means) const;
   MovingPoint moving(const DrivenMotor<contact::MotionDual>& motor,
                      const contact::MotionDual& speed) const;
 

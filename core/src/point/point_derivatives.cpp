@@ -146,9 +146,11 @@ Vector<PointNumbers<ModelDual>> SolvedPoint::differentiated_slices(const DrivenM
 #endif
 
 PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
-                                                     const MotionDual& speed) const {
-  const auto means = [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
-    return contact::moving_means(n, state, contact::Means::all).means;
+                                                     const MotionDual& speed,
+                                                     contact::Means wanted) const {
+  const auto means = [wanted](const ContactNumbers<MotionDual>& n,
+                              const contact::PeriodicState& state) {
+    return contact::moving_means(n, state, wanted).means;
   };
   const bool moves = std::any_of(splits_.begin(), splits_.end(),
                                  [](const Split& split) { return split.jump.has_value(); });
