@@ -331,9 +331,12 @@ TEST_CASE("metrics of motors on their plateau asked together are those asked alo
     std::vector<MetricRequest> requests;
     for (const MetricInfo& row : metric_table())
       if (row.argument == Argument::none) requests.push_back({row.metric});
+    const double stall = evaluate(motor, {Metric::stall_torque}).value;
+    for (const double share : {0.1, 0.65, 0.75, 0.99, 1.01})
+      requests.push_back({Metric::speed_at, Argument::torque, share * stall});
     const std::vector<MetricValue> together = evaluate(motor, requests);
     for (std::size_t k = 0; k < requests.size(); ++k) {
-      const MetricValue alone = evaluate(motor, requests[k]);
+      const MetricValue alone = evaluate(Motor(design), requests[k]);
       CAPTURE(info(requests[k].metric).name);
       CHECK(together[k].status == alone.status);
       if (alone.status == MetricStatus::ok) CHECK(together[k].value == alone.value);

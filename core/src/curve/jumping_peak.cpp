@@ -5,40 +5,60 @@
 
 namespace twum::inline v0_1::core {
 
+JumpingPeakSearch::JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings,
+                                     CurveStretches& stretches)
+    : goal_(goal, points),
+      points_(points),
+      crossings_(crossings),
+      stretches_(stretches),
+      nodes_(crossings.working_nodes()),
+      best_(goal_.peak_at(nodes_[goal_.highest(nodes_)], PeakKind::kink)),
+      worth_(CurveStretches::kWorth * best_.value) {}
+
 Peak JumpingPeakSearch::find() {
-  const Vector<CurvePoint> nodes = crossings_.working_nodes();
-  Peak best = goal_.peak_at(nodes[goal_.highest(nodes)], PeakKind::kink);
-  const auto consider = [&best](const Peak& peak) {
-    if (peak.value > best.value) best = peak;
+  bool beside_gap = false;
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    if (higher_end(k) < worth_) continue;
+    const Glimpse seen = glimpse(k);
+    beside_gap = beside_gap || seen.gap;
+    if (higher_end(k) < nearly() && !seen.worthy) continue;
+    for (const Stretch& stretch : stretches_.between(nodes_[k], nodes_[k + 1])) {
+      beside_gap = beside_gap || stretches_.is_gap(stretch.first.speed, stretch.last.speed);
+      look_at(stretch);
+    }
+  }
+  best_.beside_gap = beside_gap;
+  return with_plateau_named(best_);
+}
+
+bool JumpingPeakSearch::is_beside_gap() {
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k)
+    if (higher_end(k) >= worth_ && glimpse(k).gap) return true;
+  return false;
+}
+
+double JumpingPeakSearch::higher_end(std::size_t k) const {
+  return std::max(goal_.value(nodes_[k]), goal_.value(nodes_[k + 1]));
+}
+
+double JumpingPeakSearch::nearly() const { return GoalCurve::kNearly * best_.value; }
+
+Glimpse JumpingPeakSearch::glimpse(std::size_t k) {
+  return stretches_.glimpse(nodes_[k], nodes_[k + 1], [this](const CurvePoint& p) {
+    return p.ok() && goal_.value(p) >= nearly();
+  });
+}
+
+void JumpingPeakSearch::look_at(const Stretch& stretch) {
+  const auto consider = [this](const Peak& peak) {
+    if (peak.value > best_.value) best_ = peak;
   };
   const auto consider_end = [&](const CurvePoint& end) {
     if (end.ok()) consider({end.speed, goal_.value(end), PeakKind::kink});
   };
-  const double worth = CurveStretches::kWorth * best.value;
-  bool beside_gap = false;
-  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-    if (std::max(goal_.value(nodes[k]), goal_.value(nodes[k + 1])) < worth) continue;
-    for (const Stretch& stretch : stretches_.between(nodes[k], nodes[k + 1])) {
-      beside_gap = beside_gap || is_gap(stretch);
-      consider_end(stretch.first);
-      for (const Peak& inside : peaks_inside(stretch, GoalCurve::kNearly * best.value))
-        consider(inside);
-      consider_end(stretch.last);
-    }
-  }
-  best.beside_gap = beside_gap;
-  return with_plateau_named(best);
-}
-
-// Single speeds without a periodic state, as at a jump, hide nothing; nor does one with which a stretch begins that was not cut
-// further.
-bool JumpingPeakSearch::is_gap(const Stretch& stretch) const {
-  const auto lacks = [this](double speed) {
-    return points_.at(speed).status == MetricStatus::no_periodic_state;
-  };
-  const double low = stretch.first.speed, high = stretch.last.speed;
-  return high - low > CurveStretches::kGap * points_.curve().crest() && lacks(low) &&
-         lacks(0.5 * (low + high));
+  consider_end(stretch.first);
+  for (const Peak& inside : peaks_inside(stretch, nearly())) consider(inside);
+  consider_end(stretch.last);
 }
 
 // Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has

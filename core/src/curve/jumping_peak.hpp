@@ -14,13 +14,17 @@ namespace twum::inline v0_1::core {
 class JumpingPeakSearch {
  public:
   JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings,
-                    CurveStretches& stretches)
-      : goal_(goal, points), points_(points), crossings_(crossings), stretches_(stretches) {}
+                    CurveStretches& stretches);
 
   Peak find();
+  /// The peak is surely beside a gap: seen at a glimpse.
+  bool is_beside_gap();
 
  private:
-  bool is_gap(const Stretch& stretch) const;
+  double higher_end(std::size_t k) const;  // of the interval from node k
+  double nearly() const;
+  Glimpse glimpse(std::size_t k);
+  void look_at(const Stretch& stretch);
   bool may_have_peaks(const Stretch& stretch) const;
   Vector<Peak> peaks_inside(const Stretch& stretch, double worth);
   std::optional<Peak> peak_between(double low, double high);
@@ -30,6 +34,9 @@ class JumpingPeakSearch {
   CurvePoints& points_;
   CurveCrossings& crossings_;
   CurveStretches& stretches_;
+  Vector<CurvePoint> nodes_;
+  Peak best_;
+  double worth_;
 };
 
 }  // namespace twum::inline v0_1::core

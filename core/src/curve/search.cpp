@@ -49,17 +49,26 @@ Peak CurveSearch::highest_seen(Goal goal) {
 }
 
 Peak CurveSearch::peak(Goal goal) {
+  scan_.require_drive();
+  if (!peaks_[static_cast<std::size_t>(goal)] && points_.curve().may_jump() &&
+      !(goal == Goal::torque && stalls_at_most()) &&
+      JumpingPeakSearch(goal, points_, crossings_, stretches_).is_beside_gap())
+    throw SearchFailure{MetricStatus::no_periodic_state};
   const Peak seen = highest_seen(goal);
   if (seen.beside_gap) throw SearchFailure{MetricStatus::no_periodic_state};
   return seen;
+}
+
+// |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
+bool CurveSearch::stalls_at_most() {
+  return !points_.curve().has_static_excess() && scan_.starts_on_plateau();
 }
 
 Peak CurveSearch::found_peak(Goal goal) {
   scan_.require_drive();
   const Curve& curve = points_.curve();
   const Peak first = GoalCurve(goal, points_).peak_at(scan_.first(), PeakKind::rest);
-  // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
-  if (goal == Goal::torque && !curve.has_static_excess() && scan_.starts_on_plateau()) return first;
+  if (goal == Goal::torque && stalls_at_most()) return first;
   const Peak found = curve.may_jump()
                          ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
                          : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
@@ -70,6 +79,12 @@ Peak CurveSearch::found_peak(Goal goal) {
 Crossing CurveSearch::speed_at(double torque) {
   if (torque == 0) return no_load();
   if (!(torque > 0) || !scan_.drives()) throw SearchFailure{MetricStatus::unreachable};
+  if (falls_beyond_top(torque)) {
+    if (passes_at_jump(torque)) return no_load();
+    const Vector<CurvePoint> nodes = nodes_around(torque);
+    const std::size_t k = after_last(nodes, torque);
+    return crossings_.falls_through(torque, nodes[k - 1], nodes[k]);
+  }
   const Peak top = highest_seen(Goal::torque);
   if (!(torque * (1 - kTypedTorque) <= top.value))
     throw SearchFailure{top.beside_gap ? MetricStatus::no_periodic_state
@@ -80,9 +95,23 @@ Crossing CurveSearch::speed_at(double torque) {
     return {plateau_end(), false};
   // From its beginning torque falls; elsewhere it may rise to its largest value, and jump.
   if (torque >= top.value) return {top.speed, !falls_from_first};
-  // Torque may jump past it where it jumps past zero.
-  if (no_load().slopeless && crossings_.working_nodes().back().torque >= torque) return no_load();
+  if (passes_at_jump(torque)) return no_load();
   return falls_through(torque, top);
+}
+
+// The largest torque lies beside nodes that are worth a look for it. Where the last node that carries the asked torque is beyond
+// them, it need not be known.
+bool CurveSearch::falls_beyond_top(double torque) {
+  const Vector<CurvePoint> nodes = crossings_.working_nodes();
+  double most = 0;
+  for (const CurvePoint& node : nodes) most = std::max(most, node.torque);
+  const std::size_t k = after_last(nodes, torque);
+  return k > 0 && nodes[k - 1].torque < CurveStretches::kWorth * most;
+}
+
+// Torque may jump past a value where it jumps past zero.
+bool CurveSearch::passes_at_jump(double torque) {
+  return no_load().slopeless && crossings_.working_nodes().back().torque >= torque;
 }
 
 // Where the torque falls through a value below its maximum for the last time.

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kStretches = 8;  // sequences of zones between two points
 constexpr double kSteady = 1e-4;       // of the holding torque: what a mean slope may leave
+constexpr double kGlimpse = 1e-3;      // of what lies between two points
 constexpr double kGapEnd = 1e-13;      // of the crest speed
 constexpr double kJump = 1e-6;  // of the holding torque: more than torque moves in so short a share
 
@@ -44,6 +45,44 @@ Vector<Stretch> CurveStretches::found_between(const CurvePoint& low, const Curve
   }
   cut(end, end);
   return all;
+}
+
+// The sequence of zones at the middle tells of a stretch what it is: beside its ends it may be another by rounding.
+bool CurveStretches::is_gap(double low, double high) const {
+  return high - low > kGap * points_.curve().crest() &&
+         points_.at(0.5 * (low + high)).status == MetricStatus::no_periodic_state;
+}
+
+Glimpse CurveStretches::glimpse(const CurvePoint& low, const CurvePoint& end,
+                                FunctionRef<bool(const CurvePoint&)> worth) {
+  constexpr Glimpse kTooMuch{.worthy = true};
+  const double close = kGlimpse * (end.speed - low.speed);
+  Glimpse seen;
+  CurvePoint before = low;
+  double last_with_state = low.speed, first_without = low.speed;
+  std::size_t ends = 0;
+  for (const CurvePoint& next : steady_between(low, end)) {
+    if (before.signature == next.signature && !is_steady(before, next)) return kTooMuch;
+    while (before.signature != next.signature) {
+      if (++ends == kStretches) return kTooMuch;
+      CurvePoint left = before, right = next;
+      while (right.speed - left.speed > close) {
+        const CurvePoint& middle = halving_.at(0.5 * (left.speed + right.speed));
+        (middle.signature == before.signature ? left : right) = middle;
+      }
+      seen.worthy = seen.worthy || worth(left) || worth(right);
+      if (left.ok()) {
+        last_with_state = left.speed, first_without = right.speed;
+      } else {
+        seen.gap = seen.gap || is_gap(first_without, left.speed);
+        seen.worthy = seen.worthy || (!seen.gap && is_gap(last_with_state, right.speed));
+      }
+      before = right;
+    }
+    seen.worthy = seen.worthy || worth(next);
+    before = next;
+  }
+  return seen;
 }
 
 // Points from beyond `low` to `high` such that between neighbours with the same zones the torque goes as its slopes say.

@@ -3,6 +3,8 @@
 
 #include "curve/points.hpp"
 
+#include <twum/base/function_ref.hpp>
+
 #include <utility>
 
 namespace twum::inline v0_1::core {
@@ -12,6 +14,12 @@ namespace twum::inline v0_1::core {
 struct Stretch {
   CurvePoint first, last;
   Vector<double> inside;  ///< speeds between, so close that torque is steady between neighbours
+};
+
+/// What stretches between two points tell whose ends are known to a thousandth of the way.
+struct Glimpse {
+  bool worthy{false};  ///< they are worth exact ends, or there are too many to tell
+  bool gap{false};     ///< one of them is a gap, see is_gap()
 };
 
 /// Where torque may jump, as with mu_0 > mu, searches take the curve apart into stretches over which it does not, once for all of
@@ -26,9 +34,17 @@ class CurveStretches {
 
   explicit CurveStretches(CurvePoints& points) : points_(points), halving_(points) {}
 
+  /// Whether speeds between two without an answer may hide something. Single ones without a periodic state, as at a jump, hide
+  /// nothing.
+  bool is_gap(double low, double high) const;
+
   /// What lies between two points, cut where the sequence of zones changes and where the torque jumps.
   /// @throws SearchFailure if the search takes too long
   const Vector<Stretch>& between(const CurvePoint& low, const CurvePoint& end);
+  /// A look before that: exact ends take four times as many points.
+  /// @param worth  whether a point is worth exact ends
+  Glimpse glimpse(const CurvePoint& low, const CurvePoint& end,
+                  FunctionRef<bool(const CurvePoint&)> worth);
 
  private:
   Vector<Stretch> found_between(const CurvePoint& low, const CurvePoint& end);
