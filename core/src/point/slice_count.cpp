@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
 
 namespace twum::inline v0_1::core {
 namespace {
@@ -28,14 +29,6 @@ constexpr int kOfLaborious = 8;
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
 constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2, 1.4};
 
-using Numbers = std::array<SolvedPoint, kSpeeds.size()>;
-
-DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& rule, int nodes) {
-  TrackRule with_nodes = rule;
-  with_nodes.nodes = nodes;
-  return driven(motor_model(values, with_nodes), design_wave(values));
-}
-
 // Largest difference of two points in units of their scales; points without an answer say nothing.
 double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const SolvedPoint& b) {
   if (a.status != PointStatus::ok || b.status != PointStatus::ok) return 0;
@@ -47,41 +40,70 @@ double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const Solv
                    std::fabs(p.layer_loss - q.layer_loss) / power});
 }
 
-// Jumps lie where fewer nodes have found them.
-Numbers points_of(const DrivenMotor<double>& m, const Numbers* fewer) {
-  Numbers points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double speed = kSpeeds[i] * m.mean.crest_velocity / m.r;
-    points[i] = fewer && has_static_excess(m)
-                    ? solve_point_near(m, speed, (*fewer)[i], (*fewer)[i].start())
-                    : solve_point(m, speed, nullptr, kStates);
+// Compares points of a motor under numbers of nodes that follow one another. Each is computed when it is needed: most numbers are
+// refuted by a single speed, and by the one that refuted the number before.
+class NodeSearch {
+ public:
+  NodeSearch(const ModelArray<double>& values, const TrackRule& rule)
+      : values_(values), rule_(rule) {}
+
+  bool is_trivial() { return core::is_trivial(with_count(0).motor); }
+
+  /// The next number changes no point: the difference is the error of this one.
+  bool suffices(std::size_t count) {
+    for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
+      const std::size_t speed = (refuting_ + i) % kSpeeds.size();
+      const SolvedPoint& next = point(count + 1, speed);
+      if (difference(with_count(count).motor, point(count, speed), next) > kWanted) {
+        refuting_ = speed;
+        return false;
+      }
+    }
+    return true;
   }
-  return points;
-}
 
-// Largest difference over the speeds.
-double difference(const DrivenMotor<double>& m, const Numbers& a, const Numbers& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, difference(m, a[i], b[i]));
-  return most;
-}
-
-// The first number of nodes whose points the next number does not change: the difference is the error of the former. If there
-// is none, the largest.
-TrackRule with_nodes_needed(const ModelArray<double>& values, TrackRule rule, int most) {
-  const auto settled = [&rule](int nodes) {
-    rule.nodes = nodes;
-    return rule;
+ private:
+  struct OfCount {
+    DrivenMotor<double> motor;
+    std::array<std::optional<SolvedPoint>, kSpeeds.size()> points{};
   };
-  Numbers before;
-  for (std::size_t i = 0; i < kCounts.size() && kCounts[i] <= most; ++i) {
-    const DrivenMotor<double> motor = motor_of(values, rule, kCounts[i]);
-    if (is_trivial(motor)) return settled(kCounts[i]);
-    const Numbers points = points_of(motor, i > 0 ? &before : nullptr);
-    if (i > 0 && difference(motor, before, points) <= kWanted) return settled(kCounts[i - 1]);
-    before = points;
+
+  OfCount& with_count(std::size_t count) {
+    if (const auto known = known_.find(count); known != known_.end()) return known->second;
+    TrackRule rule = rule_;
+    rule.nodes = kCounts[count];
+    return known_.emplace(count, OfCount{driven(motor_model(values_, rule), design_wave(values_))})
+        .first->second;
   }
-  rule.nodes = most, rule.settled = false;
+
+  // Jumps lie where fewer nodes have found them.
+  const SolvedPoint& point(std::size_t count, std::size_t at) {
+    OfCount& of = with_count(count);
+    std::optional<SolvedPoint>& known = of.points[at];
+    if (known) return *known;
+    const double speed = kSpeeds[at] * of.motor.mean.crest_velocity / of.motor.r;
+    if (count > 0 && has_static_excess(of.motor)) {
+      const SolvedPoint& fewer = point(count - 1, at);
+      return known.emplace(solve_point_near(of.motor, speed, fewer, fewer.start()));
+    }
+    return known.emplace(solve_point(of.motor, speed, nullptr, kStates));
+  }
+
+  const ModelArray<double>& values_;
+  const TrackRule& rule_;
+  Map<std::size_t, OfCount> known_;
+  std::size_t refuting_{0};
+};
+
+// The first number of nodes that suffices. If there is none, the largest.
+TrackRule with_nodes_needed(const ModelArray<double>& values, TrackRule rule, int most) {
+  NodeSearch search(values, rule);
+  std::size_t count = 0;
+  if (!search.is_trivial())
+    while (count + 1 < kCounts.size() && kCounts[count + 1] <= most && !search.suffices(count))
+      ++count;
+  rule.settled = count + 1 < kCounts.size() && kCounts[count] < most;
+  rule.nodes = kCounts[count];
   return rule;
 }
 
