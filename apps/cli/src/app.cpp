@@ -18,10 +18,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <thread>
 #include <typeinfo>
 
 namespace twum::inline v0_1::cli {
@@ -41,7 +43,11 @@ motor of a calibration does not fit the points, or nothing has a value; 2 the in
 
 // Of several processes started together, only the first reports errors in the input.
 int complain(const std::string& text, int status) {
-  if (status == kWrongInput && studies::launched_number() > 0) return status;
+  if (status == kWrongInput && studies::launched_number() > 0) {
+    // mpirun ends all processes as soon as one fails: the first one, which tells why, may still have to begin.
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    return status;
+  }
   may_colour_errors() ? say_with_red_carets(text) : say(text);
   return status;
 }

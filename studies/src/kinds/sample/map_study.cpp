@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kinds/rows/executor.hpp"
 #include "kinds/rows/sample_rows.hpp"
 #include "kinds/sample/family.hpp"
 
 #include <twum/base/no_value.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/core/metrics.hpp>
 #include <twum/motors/curve_points.hpp>
 
@@ -10,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <stop_token>
 #include <utility>
 
 namespace twum::inline v0_1::studies {
@@ -148,7 +152,8 @@ class MapRun : public StudyKindRun {
   std::size_t variables() const override { return family_ ? 3 : 2; }
 
   KindAnswer run(RunContext& context) override {
-    bool complete = true;
+    if (!ends_) ends_ = ends_found(context.executor.lanes(), context.stop);
+    bool complete = ends_.has_value();
     for (std::size_t i = 0; complete && i < motors_.size(); ++i)
       complete = store_rows(context, i, count(), count() * i, count() * motors_.size());
     if (!complete) return {StudyOutcome::interrupted, without_members()};
@@ -221,11 +226,12 @@ class MapRun : public StudyKindRun {
   // The ends that are not given contain what the drives of all motors hold.
   const Ends& ends() const {
     const std::lock_guard guard(mutex_);
-    if (!ends_) ends_ = ends_found();
+    if (!ends_) ends_ = ends_found(1, {});
     return *ends_;
   }
 
-  Ends ends_found() const {
+  // Nothing if a stop was requested.
+  std::optional<Ends> ends_found(unsigned jobs, const std::stop_token& stop) const {
     Ends ends{asked_.speed.value_or(0), asked_.torque.value_or(0), {}, {}};
     for (const MappedMotor& one : motors_) {
       ends.speeds.push_back(largest_speed(one.motor));
@@ -237,11 +243,20 @@ class MapRun : public StudyKindRun {
           "upper end of its own; give one, such as 150 rpm");
     for (const MappedMotor& one : motors_) {
       std::vector<double>& torques = ends.largest_torque.emplace_back();
-      for (std::uint64_t i = 0; i < asked_.points.speeds; ++i) {
-        torques.push_back(largest_torque(one.motor, ends.speed * static_cast<double>(i + 1) /
-                                                        static_cast<double>(asked_.points.speeds)));
-        if (!asked_.torque) ends.torque = std::fmax(ends.torque, torques.back());
-      }
+      const auto proceed = [&stop] { return !stop.stop_requested(); };
+      const std::uint64_t speeds = asked_.points.speeds;
+      const std::uint64_t made = run_indexed(
+          {0, speeds, jobs, proceed},
+          [&](std::uint64_t i) {
+            return largest_torque(
+                one.motor, ends.speed * static_cast<double>(i + 1) / static_cast<double>(speeds));
+          },
+          [&](std::uint64_t, const std::vector<double>& some) {
+            torques.insert(torques.end(), some.begin(), some.end());
+          });
+      if (made < speeds) return {};
+      if (!asked_.torque)
+        for (const double torque : torques) ends.torque = std::fmax(ends.torque, torque);
     }
     if (!(ends.torque > 0))
       throw InputError(
@@ -260,7 +275,7 @@ class MapRun : public StudyKindRun {
     MapResult result;
     result.family = family_, result.columns = columns_.names();
     result.shown = columns_.shown(), result.efficiency = columns_.efficiency();
-    result.speed = ends().speed, result.torque = ends().torque;
+    if (ends_) result.speed = ends_->speed, result.torque = ends_->torque;
     result.speeds = asked_.points.speeds, result.torques = asked_.points.torques;
     return result;
   }
