@@ -253,6 +253,10 @@ void add_radial_motion(const MotorDesign& design, std::vector<ModelNote>& notes)
     compared.insert(compared.begin(), plain(Metric::peak_power));
     compared.push_back(plain(Metric::contact_efficiency_at_peak_power));
   }
+  if (design.stator.voltage) compared.push_back(plain(Metric::start_voltage));
+  if (design.wear)
+    compared.push_back({"the wear at half of the no-load speed",
+                        {Metric::wear_intensity_at, Argument::speed, 0.5 * no_load.value}});
   const Changes found = changes(before, Motor(with_it), compared, 0);
   if (found.text.empty()) return;
   notes.push_back({"radial motion", ratio.value,
