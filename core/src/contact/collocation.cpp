@@ -67,6 +67,10 @@ Collocation::Collocation() {
     rate_of_one[i] = 0;
     for (std::size_t j = 0; j < kPoints; ++j) rate_of_one[i] += rate[i][j];
   }
+  look = {0, place[0]};
+  for (std::size_t i = 1; i < kPoints; ++i)
+    look[2 * i] = 0.5 * (place[i - 1] + place[i]), look[2 * i + 1] = place[i];
+  for (std::size_t i = 0; i < kLooks; ++i) look_weights[i] = weights_at(look[i]);
 }
 
 Collocation::Row Collocation::weights_at(double x) const {

@@ -21,6 +21,11 @@ struct Collocation {
   Row highest;  ///< Legendre coefficient of degree N - 1 of the polynomial through values at the points
   Row slope_at_end;  ///< derivative of that polynomial at the end
 
+  static constexpr std::size_t kLooks = 2 * N;
+  /// Places that show the polynomial through values at the points: the start, the points, and the middles between them.
+  std::array<double, kLooks> look;
+  std::array<Row, kLooks> look_weights;  ///< weights_at() these
+
   /// Values at a place of the polynomial through those at the points, as weights.
   Row weights_at(double place) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/lap.hpp"
+#include "contact/radial_step.hpp"
 #include "contact/return_map.hpp"
 
 namespace twum::inline v0_1::contact {
@@ -34,6 +35,7 @@ struct PeriodicState {
   bool remembers{false};  ///< false: the layer enters at rest whatever happened before
   int laps{0};    ///< turns it took to find, followed ones and those with derivatives included
   long zones{0};  ///< of all these turns: what the search cost
+  core::Vector<RadialStep> steps{};  ///< of the turn, where the surface moves radially
 };
 
 /// Finds the periodic state that laps from rest lead to (theory section 10).

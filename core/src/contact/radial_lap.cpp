@@ -27,8 +27,8 @@ PlaneState<double> values_of(const PlaneState<S>& x) {
 template <typename S>
 class RadialRunner {
  public:
-  RadialRunner(const ContactNumbers<S>& numbers, core::Vector<RadialPiece>* trace, Lap<S>& lap)
-      : n_(numbers), values_(twum::contact::values_of(numbers)), trace_(trace), lap_(lap) {}
+  RadialRunner(const ContactNumbers<S>& numbers, const RadialSteps& steps, Lap<S>& lap)
+      : n_(numbers), values_(twum::contact::values_of(numbers)), steps_(steps), lap_(lap) {}
 
   void run(const LapEntry<S>& entry) {
     theta_ = -n_.half_angle;
@@ -65,6 +65,8 @@ class RadialRunner {
   // Lengths [rad]: of zones that count as none, of steps that are taken whatever their error is, and of those that are none.
   static constexpr double kStalled = 1e-10, kShortest = 1e-9, kNoStep = 1e-13;
   static constexpr double kMostLonger = 3, kMostShorter = 0.1;
+  static constexpr double kDip =
+      0.3;  // of the largest slip of a step: a lower place may be beside a dip below zero
   static constexpr double kLastTerm = 1e-4;  // of mu p(0), of a step as long as the contact
 
   bool elastic() const { return values_.inertia == 0 && values_.damping == 0; }
@@ -111,8 +113,8 @@ class RadialRunner {
     const Trig<S> at_from = at_;
     x == kNoZero ? reach_exit() : advance(released(n_, t, theta_, x));
     add_stick(n_, t, e, {from, at_from}, {theta_, at_}, lap_.means);
-    if (trace_)
-      trace_->push_back(
+    if (steps_.trace)
+      steps_.trace->push_back(
           {value_of(from),
            value_of(theta_),
            ZoneState::stick,
@@ -141,6 +143,13 @@ class RadialRunner {
     std::optional<Angles> last;
     double last_length = 0, length = std::fmin(left(), first_length_);
     for (int i = 0; i < kMostSteps; ++i) {
+      if (const RadialStep* known = next_known()) {
+        switch (follow(*known, i == 0)) {
+          case Followed::on: last = known->angles, last_length = known->length; continue;
+          case Followed::to_end: return;
+          case Followed::not_at_all: followed_ = steps_.known.size();
+        }
+      }
       const double rest = left();
       const bool to_exit = length >= rest * (1 - 1e-12);
       if (to_exit) length = rest;
@@ -156,14 +165,14 @@ class RadialRunner {
         length *= std::fmax(kMostShorter, share_for(error));
         continue;
       }
-      const double place = end_of_slip(step);
+      const double place = end_of_slip(step, i == 0);
       if (place == 0) {
         length *= Collocation::points().place[0];
         if (length < kStalled) return;  // it hardly begins
         continue;
       }
       if (place < 1) {
-        if (finish(step, length, place)) return;
+        if (finish(angles_at(step.angles(), 0, place), place * length)) return;
         if (!shorten(length)) return fail();
         continue;
       }
@@ -174,6 +183,36 @@ class RadialRunner {
       length = std::fmin(length * std::fmin(kMostLonger, share_for(error)), left());
     }
     fail();
+  }
+
+  // The next step that is known of this zone.
+  const RadialStep* next_known() {
+    const auto& known = steps_.known;
+    while (followed_ < known.size() && known[followed_].zone < lap_.zones) ++followed_;
+    const bool is_here = followed_ < known.size() && known[followed_].zone == lap_.zones;
+    return is_here ? &known[followed_++] : nullptr;
+  }
+
+  // Derivatives follow a lap exactly; other laps are sought beside it, with its accuracy.
+  enum class Followed : std::uint8_t { on, to_end, not_at_all };
+  Followed follow(const RadialStep& known, [[maybe_unused]] bool begins) {
+    const double length = known.to_exit ? left() : known.length;
+    if (!known.to_exit && !(length < left())) return Followed::not_at_all;
+    if constexpr (kDualDepth<S> != 0) {
+      SlipStep<double> step = step_of(length, known.to_exit);
+      step.take(known.angles);
+      if (known.last)
+        accept_end(step, length, slope_at_end(step) / length);
+      else
+        accept(step, length, known.to_exit);
+      return known.last || known.to_exit ? Followed::to_end : Followed::on;
+    } else {
+      if (known.last) return finish(known.angles, length) ? Followed::to_end : Followed::not_at_all;
+      SlipStep<double> step = step_of(length, known.to_exit);
+      if (!step.solve(known.angles) || end_of_slip(step, begins) < 1) return Followed::not_at_all;
+      accept(step, length, known.to_exit);
+      return known.to_exit ? Followed::to_end : Followed::on;
+    }
   }
 
   // Of a step without a solution; false if there is none of any length.
@@ -204,36 +243,67 @@ class RadialRunner {
   }
 
   // Where the slip velocity falls to zero within a step, in parts of it: 1 if it does not, 0 if that is before the first point. A
-  // zone begins with no slip, so a zero there may be its start.
-  static double end_of_slip(const SlipStep<double>& step) {
+  // zone begins with no slip, so a zero there may be its start. It may also dip below zero between two places.
+  static double end_of_slip(const SlipStep<double>& step, bool begins) {
     const Collocation& c = Collocation::points();
     Angles slip;
     for (std::size_t i = 0; i < Collocation::N; ++i) slip[i] = step.slip(i);
-    const auto below = std::find_if(slip.begin(), slip.end(), [](double x) { return x < 0; });
-    if (below == slip.end()) return 1;
-    if (below == slip.begin()) return 0;
-    const auto i = static_cast<std::size_t>(below - slip.begin());
-    double low = c.place[i - 1], high = c.place[i];
-    while (high - low > 1e-6) {
-      const double middle = 0.5 * (low + high);
-      const Collocation::Row w = c.weights_at(middle);
+    if (slip[0] < 0) return 0;
+    const auto weighed = [&slip](const Collocation::Row& w) {
       double f = 0;
       for (std::size_t j = 0; j < Collocation::N; ++j) f += w[j] * slip[j];
-      (f < 0 ? high : low) = middle;
+      return f;
+    };
+    const auto at = [&](double place) { return weighed(c.weights_at(place)); };
+    std::array<double, Collocation::kLooks> seen;
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = weighed(c.look_weights[i]);
+    const double low = kDip * *std::max_element(seen.begin(), seen.end());
+    for (std::size_t i = begins ? 2 : 1; i < seen.size(); ++i) {
+      if (seen[i] < 0) return zero_between(at, c.look[i - 1], c.look[i]);
+      const bool falls_here = seen[i] <= seen[i - 1], ends = i + 1 == seen.size();
+      const bool dips = falls_here && seen[i] < low &&
+                        (ends ? weighed(c.slope_at_end) > 0 : seen[i + 1] >= seen[i]);
+      if (!dips) continue;
+      const double bottom = lowest_between(at, c.look[i - 1], c.look[ends ? i : i + 1]);
+      if (at(bottom) < 0) return zero_between(at, c.look[i - 1], bottom);
+    }
+    return 1;
+  }
+
+  // Of a function that is positive at `low` and negative at `high`.
+  template <typename F>
+  static double zero_between(F f, double low, double high) {
+    while (high - low > 1e-6) {
+      const double middle = 0.5 * (low + high);
+      (f(middle) < 0 ? high : low) = middle;
     }
     return 0.5 * (low + high);
   }
 
-  // The step that ends where slip does; false if there is none, as where the whole step went astray.
-  bool finish(const SlipStep<double>& whole, double length, double place) {
+  // The place of the minimum of a function that has one, by thirds.
+  template <typename F>
+  static double lowest_between(F f, double low, double high) {
+    while (high - low > 1e-5) {
+      const double third = (high - low) / 3;
+      f(low + third) < f(high - third) ? high -= third : low += third;
+    }
+    return 0.5 * (low + high);
+  }
+
+  // The change of the slip velocity in a step, at its end.
+  static double slope_at_end(const SlipStep<double>& step) {
     const Collocation& c = Collocation::points();
-    double end = place * length;
-    Angles guess = angles_at(whole.angles(), 0, place);
+    double slope = 0;
+    for (std::size_t j = 0; j < Collocation::N; ++j) slope += c.slope_at_end[j] * step.slip(j);
+    return slope;
+  }
+
+  // The step that ends where slip does, near this end; false if there is none, as where the step that told it went astray.
+  bool finish(Angles guess, double end) {
     for (int i = 0; i < 20; ++i) {
       SlipStep<double> step = step_of(end, false);
       if (!step.solve(guess) && !step.solve(step.euler_angles())) return false;
-      double slope = 0;
-      for (std::size_t j = 0; j < Collocation::N; ++j) slope += c.slope_at_end[j] * step.slip(j);
+      const double slope = slope_at_end(step);
       const double move = -step.slip(Collocation::N - 1) / slope * end;
       if (std::fabs(move) <= 1e-13 * end || i == 19) {
         accept_end(step, end, slope / end);
@@ -246,7 +316,7 @@ class RadialRunner {
   }
 
   void accept(const SlipStep<double>& step, double length, bool to_exit) {
-    trace(step, length);
+    record(step, length, to_exit, false);
     const double end = value_of(theta_) + length;
     const S span = to_exit ? S(n_.half_angle - theta_) : S(end - theta_);
     take(step, span, to_exit);
@@ -258,7 +328,7 @@ class RadialRunner {
   }
 
   void accept_end(const SlipStep<double>& step, double length, double slope) {
-    trace(step, length);
+    record(step, length, false, true);
     S span(length);
     if constexpr (kDualDepth<S> != 0) {
       // Where slip ends moves with the start of the zone and all else. The slope is that of a polynomial: two steps more.
@@ -288,12 +358,13 @@ class RadialRunner {
     }
   }
 
-  void trace(const SlipStep<double>& step, double length) {
-    if (!trace_) return;
+  void record(const SlipStep<double>& step, double length, bool to_exit, bool last) {
+    if (steps_.taken) steps_.taken->push_back({lap_.zones, length, to_exit, last, step.angles()});
+    if (!steps_.trace) return;
     const double from = value_of(theta_);
     const ZoneState side = std::cos(step.angles()[Collocation::N / 2]) < 0 ? ZoneState::slip_minus
                                                                            : ZoneState::slip_plus;
-    trace_->push_back(
+    steps_.trace->push_back(
         {from, from + length, side, {}, values_of(layer_), step.angles(), step.rates()});
   }
 
@@ -334,7 +405,8 @@ class RadialRunner {
 
   const ContactNumbers<S>& n_;
   ContactNumbers<double> values_;
-  core::Vector<RadialPiece>* trace_;
+  const RadialSteps& steps_;
+  std::size_t followed_{0};  // of the known steps
   Lap<S>& lap_;
   S theta_;
   Trig<S> at_;
@@ -348,15 +420,14 @@ class RadialRunner {
 
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
-                      core::Vector<RadialPiece>* trace) {
+                      const RadialSteps& steps) {
   Lap<S> lap;
-  RadialRunner<S>(numbers, trace, lap).run(entry);
+  RadialRunner<S>(numbers, steps, lap).run(entry);
   return lap;
 }
 
-#define TWUM_INSTANTIATE(S)                                                    \
-  template Lap<S> run_radial_lap(const ContactNumbers<S>&, const LapEntry<S>&, \
-                                 core::Vector<RadialPiece>*);
+#define TWUM_INSTANTIATE(S) \
+  template Lap<S> run_radial_lap(const ContactNumbers<S>&, const LapEntry<S>&, const RadialSteps&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(PlaneDual)
 TWUM_INSTANTIATE(WithPlaneState<MotionDual>::Type)

@@ -3,6 +3,9 @@
 
 #include "contact/lap.hpp"
 #include "contact/plane_stick.hpp"
+#include "contact/radial_step.hpp"
+
+#include <span>
 
 namespace twum::inline v0_1::contact {
 
@@ -26,9 +29,16 @@ RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& n
 
 /// run_lap() where the surface also moves radially (R2.1): from contact entry through all zones and free flight to the next
 /// entry. Slip has no closed form: see SlipStep. Means are good to about 1e-8 of mu_0 p.
-/// @param trace  if not null, the pieces are appended to it
+/// What a lap in the plane takes from another one, and leaves.
+struct RadialSteps {
+  std::span<const RadialStep>
+      known;  ///< of a lap from nearby, a guess; of the same lap where S has derivatives
+  core::Vector<RadialStep>* taken{nullptr};   ///< its steps are appended to it
+  core::Vector<RadialPiece>* trace{nullptr};  ///< its pieces are appended to it
+};
+
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
-                      core::Vector<RadialPiece>* trace = nullptr);
+                      const RadialSteps& steps = {});
 
 }  // namespace twum::inline v0_1::contact

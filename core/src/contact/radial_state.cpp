@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace twum::inline v0_1::contact {
 namespace {
@@ -49,10 +50,11 @@ ContactNumbers<S> constant(const ContactNumbers<double>& n) {
 }
 
 // 1 less the derivatives of the state at the next entry in that at this one (E6.2).
-Factors<kNumbers> return_slope(const ContactNumbers<double>& n, const LapEntry<double>& at) {
+Factors<kNumbers> return_slope(const ContactNumbers<double>& n, const LapEntry<double>& at,
+                               std::span<const RadialStep> steps) {
   LapEntry<PlaneDual> entry = moving_entry<PlaneDual>(at);
   entry.layer.e.d[0] = entry.layer.rate.d[1] = entry.across.e.d[2] = entry.across.rate.d[3] = 1;
-  const auto next = listed(run_radial_lap(constant<PlaneDual>(n), entry).next);
+  const auto next = listed(run_radial_lap(constant<PlaneDual>(n), entry, {steps}).next);
   Matrix m;
   for (std::size_t i = 0; i < kNumbers; ++i)
     for (std::size_t j = 0; j < kNumbers; ++j) m[i][j] = (i == j ? 1 : 0) - next[i].d[j];
@@ -76,8 +78,13 @@ void balance(const ContactNumbers<S>& n, ContactMeans<S>& m) {
 
 class RadialSearch {
  public:
-  RadialSearch(const ContactNumbers<double>& n, double accuracy, PeriodicState& state)
-      : n_(n), s_(state), layer_(n.inertia, n.damping), scale_(n.threshold * n.peak) {
+  RadialSearch(const ContactNumbers<double>& n, double accuracy, std::span<const RadialStep> known,
+               PeriodicState& state)
+      : n_(n),
+        known_(known),
+        s_(state),
+        layer_(n.inertia, n.damping),
+        scale_(n.threshold * n.peak) {
     tolerance_ = std::max(accuracy, kAgreed) * scale_;
   }
 
@@ -105,7 +112,8 @@ class RadialSearch {
  private:
   void turn(const LapEntry<double>& entry) {
     s_.entry = entry;
-    s_.lap = run_radial_lap(n_, entry);
+    s_.steps.clear();
+    s_.lap = run_radial_lap(n_, entry, {known_, &s_.steps});
     ++s_.laps, s_.zones += s_.lap.zones;
     const LapEntry<double>& next = s_.lap.next;
     gap_ = std::hypot(distance(layer_, next.layer, entry.layer),
@@ -116,9 +124,11 @@ class RadialSearch {
   bool newton(bool any_zones) {
     const LapEntry<double> from = s_.entry;
     const Lap<double> lap = s_.lap;
+    const core::Vector<RadialStep> steps = s_.steps;
     const double gap = gap_;
     ++s_.laps;
-    const std::array<double, kNumbers> step = newton_step(return_slope(n_, from), from, lap.next);
+    const std::array<double, kNumbers> step =
+        newton_step(return_slope(n_, from, steps), from, lap.next);
     if (!std::isfinite(step[0] + step[1] + step[2] + step[3])) return false;
     for (double share = 1; share > 1e-3; share *= 0.25) {
       LapEntry<double> entry = from;
@@ -131,7 +141,7 @@ class RadialSearch {
       if (s_.lap.status == LapStatus::ok && kept && gap_ < (1 - 0.5 * share) * gap) return true;
       if (!any_zones) break;
     }
-    s_.entry = from, s_.lap = lap, gap_ = gap;
+    s_.entry = from, s_.lap = lap, s_.steps = steps, gap_ = gap;
     return false;
   }
 
@@ -187,6 +197,7 @@ class RadialSearch {
   void give_up(PeriodicStatus status) { s_.status = status; }
 
   const ContactNumbers<double>& n_;
+  std::span<const RadialStep> known_;  // of a lap nearby
   PeriodicState& s_;
   LayerMotion<double> layer_;
   double scale_, tolerance_, gap_{0}, progress_{1};
@@ -197,7 +208,15 @@ class RadialSearch {
 PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const LapGuess* guess,
                                 double accuracy) {
   PeriodicState state;
-  RadialSearch(numbers, accuracy, state).run(guess);
+  RadialSearch(numbers, accuracy, {}, state).run(guess);
+  return state;
+}
+
+PeriodicState radial_state_beside(const ContactNumbers<double>& numbers,
+                                  const PeriodicState& known) {
+  PeriodicState state;
+  const LapGuess guess(known.entry);
+  RadialSearch(numbers, 0, known.steps, state).run(&guess);
   return state;
 }
 
@@ -205,8 +224,9 @@ namespace {
 
 // Means of a lap from rest, or from a state that moves as S says.
 template <typename S>
-ContactMeans<S> balanced_means(const ContactNumbers<S>& numbers, const LapEntry<S>& entry) {
-  ContactMeans<S> means = run_radial_lap(numbers, entry).means;
+ContactMeans<S> balanced_means(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
+                               std::span<const RadialStep> steps) {
+  ContactMeans<S> means = run_radial_lap(numbers, entry, {steps}).means;
   balance(numbers, means);
   return means;
 }
@@ -214,15 +234,15 @@ ContactMeans<S> balanced_means(const ContactNumbers<S>& numbers, const LapEntry<
 // First derivatives in one lap, with directions for the state at entry, by the implicit function theorem.
 template <int N>
 ContactMeans<Dual<double, N>> means_along(const ContactNumbers<Dual<double, N>>& numbers,
-                                          const LapEntry<double>& at) {
+                                          const PeriodicState& state) {
   constexpr int kState = static_cast<int>(kNumbers);
   using Wide = Dual<double, N + kState>;
   const auto direction = [](std::size_t i) { return N + static_cast<int>(i); };
-  LapEntry<Wide> entry = moving_entry<Wide>(at);
+  LapEntry<Wide> entry = moving_entry<Wide>(state.entry);
   entry.layer.e.d[N] = entry.layer.rate.d[N + 1] = entry.across.e.d[N + 2] =
       entry.across.rate.d[N + 3] = 1;
   const ContactNumbers<Wide> wide = widened<kState>(numbers);
-  const Lap<Wide> lap = run_radial_lap(wide, entry);
+  const Lap<Wide> lap = run_radial_lap(wide, entry, {state.steps});
   const auto next = listed(lap.next);
   Matrix m;
   for (std::size_t i = 0; i < kNumbers; ++i)
@@ -251,18 +271,18 @@ ContactMeans<Dual<double, N>> means_along(const ContactNumbers<Dual<double, N>>&
 // Any derivatives: the periodic state in S by Newton's steps; its value is known, only derivatives come in.
 template <typename S>
 ContactMeans<S> means_of_moving_state(const ContactNumbers<S>& numbers,
-                                      const LapEntry<double>& at) {
-  LapEntry<S> entry = moving_entry<S>(at);
-  const Factors<kNumbers> slope = return_slope(values_of(numbers), at);
+                                      const PeriodicState& state) {
+  LapEntry<S> entry = moving_entry<S>(state.entry);
+  const Factors<kNumbers> slope = return_slope(values_of(numbers), state.entry, state.steps);
   for (int depth = 0; depth < kDualDepth<S>; ++depth) {
     const std::array<S, kNumbers> step =
-        newton_step(slope, entry, run_radial_lap(numbers, entry).next);
+        newton_step(slope, entry, run_radial_lap(numbers, entry, {state.steps}).next);
     std::array<S, kNumbers> to = listed(entry);
     for (std::size_t i = 0; i < kNumbers; ++i)
       to[i] = with_value(S(to[i] + step[i]), value_of(to[i]));
     move(entry, to);
   }
-  return balanced_means(numbers, entry);
+  return balanced_means(numbers, entry, state.steps);
 }
 
 }  // namespace
@@ -272,11 +292,11 @@ ContactMeans<S> radial_means(const ContactNumbers<S>& numbers, const PeriodicSta
   if constexpr (kDualDepth<S> == 0) {
     return state.lap.means;
   } else {
-    if (!state.remembers) return balanced_means(numbers, moving_entry<S>(state.entry));
+    if (!state.remembers) return balanced_means(numbers, moving_entry<S>(state.entry), state.steps);
     if constexpr (kDualDepth<S> == 1)
-      return means_along(numbers, state.entry);
+      return means_along(numbers, state);
     else
-      return means_of_moving_state(numbers, state.entry);
+      return means_of_moving_state(numbers, state);
   }
 }
 

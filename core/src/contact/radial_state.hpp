@@ -11,6 +11,10 @@ namespace twum::inline v0_1::contact {
 PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const LapGuess* guess,
                                 double accuracy);
 
+/// The same beside a state that is known: its lap is followed as far as it goes.
+PeriodicState radial_state_beside(const ContactNumbers<double>& numbers,
+                                  const PeriodicState& known);
+
 /// periodic_means() of such a state.
 template <typename S>
 ContactMeans<S> radial_means(const ContactNumbers<S>& numbers, const PeriodicState& state);

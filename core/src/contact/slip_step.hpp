@@ -96,6 +96,8 @@ class SlipStep {
 
   /// The angles by Newton's method from these; false if that fails. In double.
   bool solve(const Stages<double>& guess);
+  /// The angles of a solution that is known; in double.
+  void take(const Stages<double>& known);
   /// Angles by implicit Euler steps from point to point, each exactly in the direction of its trial traction: a guess for
   /// solve() where nothing is known.
   Stages<double> euler_angles() const;
@@ -147,6 +149,8 @@ class SlipStep {
     sine_[i] = a.sin, cosine_[i] = a.cos;
   }
 
+  // The rates without traction, and those that go with tractions; in double.
+  void prepare();
   // The rates that go with the angles, and the derivatives of the sideways slip in the angles; in double.
   void respond();
   Collocation::Matrix jacobian() const;

@@ -47,9 +47,7 @@ inline Collocation::Matrix SlipStep<double>::jacobian() const {
 }
 
 template <>
-inline bool SlipStep<double>::solve(const Stages<double>& guess) {
-  constexpr int kMostSteps = 12;
-  constexpr double kLastTurn = 1e-5;  // Newton's method squares it
+inline void SlipStep<double>::prepare() {
   response_ = rate_response(n_, length_);
   for (std::size_t i = 0; i < N; ++i) {
     own_[i] = {0, 0};
@@ -59,6 +57,21 @@ inline bool SlipStep<double>::solve(const Stages<double>& guess) {
           response_[i][j] *
               ((n_.inertia * inverse_length_ * table().rate_of_one[j]) * state_.rate - state_.e);
   }
+}
+
+template <>
+inline void SlipStep<double>::take(const Stages<double>& known) {
+  prepare();
+  angles_ = known;
+  for (std::size_t i = 0; i < N; ++i) set_angle(i, angles_[i]);
+  respond();
+}
+
+template <>
+inline bool SlipStep<double>::solve(const Stages<double>& guess) {
+  constexpr int kMostSteps = 12;
+  constexpr double kLastTurn = 1e-5;  // Newton's method squares it
+  prepare();
   angles_ = guess;
   for (std::size_t i = 0; i < N; ++i) set_angle(i, angles_[i]);
   double before = HUGE_VAL;
@@ -156,7 +169,8 @@ void SlipStep<S>::add_to(ContactMeans<S>& m) const {
     m.traction += size * cosine_[i];
     m.stator_power += size * (cosine_[i] * at.cos + n_.radial * (sine_[i] * at.sin));
     m.reactive_force += size * (cosine_[i] * at.sin - n_.radial * (sine_[i] * at.cos));
-    m.friction_power += size * slip(i);
+    if constexpr (kDualDepth<S> == 0)  // derivatives of the friction power follow from the balance
+      m.friction_power += size * slip(i);
     if (value_of(n_.damping) != 0)
       m.layer_loss += weight * (n_.damping * inverse_rate_) * dot(rates_[i], rates_[i]);
   }

@@ -20,12 +20,8 @@ constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
 // Whether zones begin or end close to the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
   const double offset = kBeside * m.mean.crest_velocity / m.r;
-  const WarmStart start = p.start();
-  for (const double beside : {speed - offset, speed + offset}) {
-    if (!wave_meets_rotor(m, beside)) continue;
-    const SolvedPoint near = solve_point(m, beside, &start);
-    if (near.status == PointStatus::ok && near.signature() != p.signature()) return true;
-  }
+  for (const double beside : {speed - offset, speed + offset})
+    if (wave_meets_rotor(m, beside) && p.changes_zones_at(m, beside)) return true;
   return false;
 }
 

@@ -91,7 +91,7 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
   Trace trace;
   if constexpr (contact::kHasRadialMotion) {
     if (n.radial != 0) {
-      trace.exit = contact::run_radial_lap(n, state.entry, &trace.pieces).exit;
+      trace.exit = contact::run_radial_lap(n, state.entry, {{}, nullptr, &trace.pieces}).exit;
       return trace;
     }
   }

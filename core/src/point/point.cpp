@@ -3,6 +3,7 @@
 
 #include "contact/lane_laps.hpp"
 #include "contact/radial_lock.hpp"
+#include "contact/radial_state.hpp"
 #include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 #include "model/scalars.hpp"
@@ -169,6 +170,31 @@ std::uint64_t SolvedPoint::signature() const {
   std::uint64_t mark = first_.state.lap.itinerary;
   for (const SolvedSlice& s : others_) mark = (mark ^ s.state.lap.itinerary) * 0x100000001b3ull;
   return mark;
+}
+
+bool SolvedPoint::changes_zones_at(const DrivenMotor<double>& m, double speed) const {
+  if (contact::kHasRadialMotion && follows_steps()) return changes_followed_zones_at(m, speed);
+  const WarmStart from = start();
+  const SolvedPoint near = solve_point(m, speed, &from);
+  return near.status == PointStatus::ok && near.signature() != signature();
+}
+
+bool SolvedPoint::follows_steps() const {
+  const auto has_steps = [](const SolvedSlice& s) { return !s.locked && !s.state.steps.empty(); };
+  return splits_.empty() && has_steps(first_) &&
+         std::all_of(others_.begin(), others_.end(), has_steps);
+}
+
+// Laps through the steps of these take half of the time.
+bool SolvedPoint::changes_followed_zones_at(const DrivenMotor<double>& m, double speed) const {
+  const PointSlices<double> slices(m, {});
+  for (std::size_t k = 0; k < size(); ++k) {
+    const contact::PeriodicState& known = slice(k).state;
+    const contact::PeriodicState near =
+        contact::radial_state_beside(contact_numbers(m, slices[k], speed), known);
+    if (near.status == PeriodicStatus::ok && near.lap.itinerary != known.lap.itinerary) return true;
+  }
+  return false;
 }
 
 double SolvedPoint::shortest_zone() const {

@@ -165,6 +165,8 @@ class SolvedPoint {
   std::uint64_t signature() const;
   /// Length of the shortest zone [rad].
   double shortest_zone() const;
+  /// Another sequence of zones holds at a speed nearby. Where there is no answer, it is not known.
+  bool changes_zones_at(const DrivenMotor<double>& motor, double speed) const;
   /// The means of the contact jump somewhere along the track, which is split there.
   bool jumps() const;
   /// Zones followed to find it: what the search cost.
@@ -198,6 +200,8 @@ class SolvedPoint {
                                       const WarmStart&);
   SolvedPoint(const DrivenMotor<double>& motor, double speed, const WarmStart* guess,
               double accuracy);
+  bool follows_steps() const;
+  bool changes_followed_zones_at(const DrivenMotor<double>& motor, double speed) const;
   static SolvedPoint of_special(const DrivenMotor<double>& motor, double speed);
 
   /// Mean radius of the preload on the slices.
