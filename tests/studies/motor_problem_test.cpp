@@ -98,7 +98,8 @@ TEST_CASE("metrics at an unreachable load have a value with a gradient", "[studi
   const optim::Evaluation e = problem.evaluate(weak, true);
   REQUIRE(e.ok());
   // The implied limit says by how much the motor is too weak: mu F_N r = 0.318 N.m on the plateau.
-  CHECK(problem.constraints.back().lower == 0.6);
+  CHECK(problem.constraints.back().lower ==
+        Approx(0.6).epsilon(1e-6));  // a little more, so that it is carried
   CHECK_THAT(e.values.back(), WithinRel(0.2 * 60 * 0.0265, 1e-9));
   // At that share of the largest torque the curve is steep, so differences are good to fewer digits.
   expect_jacobian(q, weak, 1e-4);

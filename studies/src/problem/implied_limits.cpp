@@ -83,6 +83,9 @@ bool may_have_voltage(const DesignProblem& problem) {
 // Next to the end of a drive that follows by frequency its metrics change with the square root of what is left (Y5.3).
 constexpr double kLeastReserve = 1e-4;
 
+// A limit is kept to 1e-8; without this reserve the answer of a search might not carry the torque that its metrics are asked at.
+constexpr double kLeastTorqueReserve = 1e-7;
+
 // A motor runs at rest for its stall torque, and without load for the other metrics without argument.
 MetricRequest reserve_request(const MetricRequest& request) {
   if (request.argument == Argument::speed || request.argument == Argument::torque)
@@ -122,8 +125,9 @@ void add_limits_of(const MetricRequest& request, const MetricExpression& metric,
                    const Stator& stator, std::vector<ImpliedLimit>& limits) {
   if (request.argument == Argument::torque) {
     limits.push_back({{"max_torque >= " + number_text(request.at) + " N.m for " + metric.text,
-                       parse_metric("max_torque"), request.at},
-                      request});
+                       parse_metric("max_torque"), (1 + kLeastTorqueReserve) * request.at},
+                      request,
+                      request.at});
     return;
   }
   const bool by_frequency = stator.voltage && stator.control == DriveControl::frequency;

@@ -20,7 +20,10 @@ struct ImpliedLimit {
   MotorLimit limit;
   /// What has no value beyond it: metrics with this argument. Nothing: it orders the coefficients of friction, mu_0 >= mu.
   std::optional<MetricRequest> argument{};
+  /// Where that has a value at last; nothing: up to the limit.
+  std::optional<double> ends_at{};
 
+  double end() const { return ends_at.value_or(limit.lower); }
   bool orders_friction() const { return !argument; }
   /// True if it asks for the voltage with which a drive of fixed frequency runs the motor.
   bool is_of_fixed_drive() const;

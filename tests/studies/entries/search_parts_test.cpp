@@ -234,6 +234,23 @@ TEST_CASE("loads that metrics are asked at are limits, each once", "[studies][pr
              StartsWith("max_torque >= 0.1 N.m for speed_at(0.1 N.m)"));
 }
 
+// A search keeps a limit to 1e-8 only, and a metric at a torque has no value for a motor that carries less.
+TEST_CASE("the answer of a search carries the torque that its goal is asked at",
+          "[studies][problem]") {
+  DesignProblem problem = question();
+  problem.minimize("stator_power_at(0.6 N.m)");
+  const std::vector<ImpliedLimit> implied = implied_limits(problem);
+  REQUIRE(implied.size() == 1);
+  CHECK(implied[0].limit.lower * (1 - 1e-8) > 0.6);
+  CHECK(implied[0].limit.lower < 0.6 * (1 + 1e-6));
+  CHECK(implied[0].end() == 0.6);
+  // By less than what a search may break the limit by, the row has its value.
+  const SearchRows rows(problem);
+  optim::Evaluation seen;
+  seen.values.assign(motor_problem(problem).responses(), implied[0].limit.lower * (1 - 1e-8));
+  CHECK(rows.row(0, 0, std::vector<double>{100, 0.2}, false, seen).values[2] == seen.values[0]);
+}
+
 TEST_CASE("the order of the frictions is a limit where it can be broken", "[studies][problem]") {
   const auto limits = [](double min, bool vary_kinetic) {
     DesignProblem problem{elastic()};  // with a kinetic friction of 0.2

@@ -96,7 +96,7 @@ SearchRows::SearchRows(const DesignProblem& problem)
     metrics_.push_back({i, {}});
     for (std::size_t k = 0; k < implied.size(); ++k)
       if (implied[k].is_about(metric))
-        metrics_.back().ends.push_back({asked.size() + k, implied[k].limit.lower});
+        metrics_.back().ends.push_back({asked.size() + k, implied[k].end()});
   }
 }
 
