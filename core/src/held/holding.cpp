@@ -111,6 +111,10 @@ std::optional<LoadedWave> Holding::by_newton(LoadedWave w, Sought sought) const 
     if (!(step.size < last)) return {};
     last = step.size;
     LoadedWave next = loaded_.found(w.amplitude + step.amplitude, w.omega + step.omega, &w);
+    for (int back = 1; back <= kHeldRules.most_back && LoadedWaves::on_plateau(next); ++back) {
+      const double share = std::ldexp(1.0, -back);
+      next = loaded_.found(w.amplitude + share * step.amplitude, w.omega + share * step.omega, &w);
+    }
     if (!next.ok()) return {};
     if (newton_step(next, w, sought).size <= kHeldRules.settled) {
       next.take_slopes(w);

@@ -86,7 +86,10 @@ double LoadedWaves::likely_amplitude(double omega) const {
 
 std::optional<LoadedWave> LoadedWaves::likely(double omega) const {
   if (waves_.has_static_excess()) return {};
-  LoadedWave w = at(likely_amplitude(omega), omega);
+  double amplitude = likely_amplitude(omega);
+  LoadedWave w = at(amplitude, omega);
+  for (int i = 0; i < kHeldRules.most_back && on_plateau(w); ++i)
+    w = at(amplitude *= 1 - kHeldRules.back, omega);
   return w.ok() ? std::optional(std::move(w)) : std::nullopt;
 }
 

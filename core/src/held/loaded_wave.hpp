@@ -37,6 +37,10 @@ struct HeldRules {
   double longest_newton = 0.5;
   /// Largest step of the frequency, of itself.
   double longest_in_frequency = 0.05;
+  /// A likely amplitude is right to some per cent, so that it may lie on the plateau, where no slope leads back: by what part of
+  /// itself it is then lessened. How often that is done, or a step halved that leads there.
+  double back = 0.04;
+  int most_back = 4;
 };
 inline constexpr HeldRules kHeldRules{};
 
@@ -78,6 +82,8 @@ class LoadedWaves {
   /// A wave of a frequency that carries about the load, whether that is its first or not. Nothing if there is no telling: with
   /// mu_0 > mu, which makes the torque jump, or if its layer has no periodic state.
   std::optional<LoadedWave> likely(double omega) const;
+  /// The whole contact slips and drives: no slope leads back.
+  static bool on_plateau(const LoadedWave& w) { return w.ok() && w.solved.drives(); }
   double likely_amplitude(double omega) const;
   /// True if no smaller amplitude of its frequency carries the load, too.
   /// @param lower  the first wave that carries another load; null if none is known
