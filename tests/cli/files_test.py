@@ -78,7 +78,7 @@ class Check(program.Case):
                 self.assertRegex(notes, r"\Anote: .* does not start by itself.*\nnote: the surface also moves radially, by 0.49 .*\n\Z")
             elif motor.name.startswith("plate"):
                 self.assertRegex(notes, r"\A(note: .* does not start by itself.*\n)?note: the surface also moves radially, by 0.4\d? .* it changes "
-                                        r"peak_power by .* %, the torque at half of the no-load speed by .* %, .*'radial_motion: true'.*\n\Z")
+                                        r"peak_power by .* %, torque at half no-load speed by .* %, .*'radial_motion: true'.*\n\Z")
             elif motor.name == "elastic-layer.yaml":  # a stator without damping, which any friction feeds
                 self.assertRegex(notes, r"\Anote: the motor squeals under load .* and modal_damping is not given; .*\n\Z")
             else:

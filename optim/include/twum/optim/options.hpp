@@ -46,7 +46,7 @@ struct SolveOptions {
   Budget budget{};         ///< limits of evaluations and time
   std::stop_token stop{};  ///< a request ends the solve with the best answer so far
   Observer observer{};     ///< called for every evaluation, never by two threads at once
-  /// number of threads for the starts of auto; the answer does not depend on it
+  /// number of threads for the starts of auto and for samples of the range; the answer does not depend on it
   std::size_t jobs{1};
   std::string global{};  ///< auto only: a global algorithm to run first, such as "nlopt:isres"
   std::map<std::string, std::string>

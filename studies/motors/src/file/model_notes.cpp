@@ -247,22 +247,22 @@ void add_radial_motion(const MotorDesign& design, std::vector<ModelNote>& notes)
   const MetricValue ratio = evaluate(before, {Metric::radial_motion_ratio});
   const MetricValue no_load = evaluate(before, {Metric::no_load_speed});
   if (!(ratio.value > kSmall) || no_load.status != MetricStatus::ok) return;
-  std::vector<ComparedMetric> compared{{"the torque at half of the no-load speed",
-                                        {Metric::torque_at, Argument::speed, 0.5 * no_load.value}}};
+  std::vector<ComparedMetric> compared{
+      {"torque at half no-load speed", {Metric::torque_at, Argument::speed, 0.5 * no_load.value}}};
   if (has_quick_peak(design)) {
     compared.insert(compared.begin(), plain(Metric::peak_power));
     compared.push_back(plain(Metric::contact_efficiency_at_peak_power));
   }
   if (design.stator.voltage) compared.push_back(plain(Metric::start_voltage));
   if (design.wear)
-    compared.push_back({"the wear at half of the no-load speed",
+    compared.push_back({"wear at half no-load speed",
                         {Metric::wear_intensity_at, Argument::speed, 0.5 * no_load.value}});
   const Changes found = changes(before, Motor(with_it), compared, 0);
   if (found.text.empty()) return;
   notes.push_back({"radial motion", ratio.value,
                    "the surface also moves radially, by " + rounded_text(ratio.value, 2) +
                        " of its motion along the track, which is left out: it changes " +
-                       found.text + "; write 'radial_motion: true' under stator to include it"});
+                       found.text + "; 'radial_motion: true' under stator includes it"});
 }
 #endif
 
