@@ -65,8 +65,11 @@ class RadialRunner {
   // Lengths [rad]: of zones that count as none, of steps that are taken whatever their error is, and of those that are none.
   static constexpr double kStalled = 1e-10, kShortest = 1e-9, kNoStep = 1e-13;
   static constexpr double kMostLonger = 3, kMostShorter = 0.1;
-  static constexpr double kDip =
-      0.3;  // of the largest slip of a step: a lower place may be beside a dip below zero
+  // Of the largest slip of a step: a lower place may be beside a dip below zero, and what of such a dip is no more than the error of
+  // the step.
+  static constexpr double kDip = 0.3, kRounded = 1e-7;
+  static constexpr double kResolved =
+      1e-2;  // last term of a polynomial that tells what is between its points
   static constexpr double kLastTerm = 1e-4;  // of mu p(0), of a step as long as the contact
 
   bool elastic() const { return values_.inertia == 0 && values_.damping == 0; }
@@ -140,6 +143,8 @@ class RadialRunner {
   }
 
   void slip() {
+    if (left() < kNoStep)
+      return reach_exit();  // a layer that sticks to the exit, as where all sticks
     std::optional<Angles> last;
     double last_length = 0, length = std::fmin(left(), first_length_);
     for (int i = 0; i < kMostSteps; ++i) {
@@ -257,15 +262,18 @@ class RadialRunner {
     const auto at = [&](double place) { return weighed(c.weights_at(place)); };
     std::array<double, Collocation::kLooks> seen;
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = weighed(c.look_weights[i]);
-    const double low = kDip * *std::max_element(seen.begin(), seen.end());
+    const double most = *std::max_element(seen.begin(), seen.end());
+    // The polynomial tells what is between the points, unless a short step at the exit leaves it open.
+    const double surely = step.last_term() < kResolved ? -kRounded * most : -HUGE_VAL;
     for (std::size_t i = begins ? 2 : 1; i < seen.size(); ++i) {
-      if (seen[i] < 0) return zero_between(at, c.look[i - 1], c.look[i]);
+      const bool is_point = i % 2 == 1;
+      if (seen[i] < (is_point ? 0 : surely)) return zero_between(at, c.look[i - 1], c.look[i]);
       const bool falls_here = seen[i] <= seen[i - 1], ends = i + 1 == seen.size();
-      const bool dips = falls_here && seen[i] < low &&
+      const bool dips = falls_here && seen[i] < kDip * most &&
                         (ends ? weighed(c.slope_at_end) > 0 : seen[i + 1] >= seen[i]);
       if (!dips) continue;
       const double bottom = lowest_between(at, c.look[i - 1], c.look[ends ? i : i + 1]);
-      if (at(bottom) < 0) return zero_between(at, c.look[i - 1], bottom);
+      if (at(bottom) < surely) return zero_between(at, c.look[i - 1], bottom);
     }
     return 1;
   }

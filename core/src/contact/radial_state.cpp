@@ -209,6 +209,10 @@ PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const Lap
                                 double accuracy) {
   PeriodicState state;
   RadialSearch(numbers, accuracy, {}, state).run(guess);
+  if (state.status == PeriodicStatus::ok || guess == nullptr) return state;
+  // The guess of a slice that has just opened or closed may lead nowhere.
+  state = {};
+  RadialSearch(numbers, accuracy, {}, state).run(nullptr);
   return state;
 }
 
