@@ -142,7 +142,7 @@ class FurtherLook {
   // Searches from samples, on several threads; each has an equal share of the budget and stages of its own, so that the answers
   // do not depend on the order.
   void follow(std::span<const Sample> starts) {
-    if (starts.empty() || left() == 0 || found_.stop != StopReason::finished) return;
+    if (starts.empty() || left() < starts.size() || found_.stop != StopReason::finished) return;
     SolveOptions options = options_;
     options.starts = 1;
     options.analyse_infeasible = false;
