@@ -6,6 +6,8 @@
 #include "contact/plane_stick.hpp"
 #include "contact/slip_step_solve.hpp"
 
+#include <twum/base/scalar_search.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -272,8 +274,9 @@ class RadialRunner {
       const bool dips = falls_here && seen[i] < kDip * most &&
                         (ends ? weighed(c.slope_at_end) > 0 : seen[i + 1] >= seen[i]);
       if (!dips) continue;
-      const double bottom = lowest_between(at, c.look[i - 1], c.look[ends ? i : i + 1]);
-      if (at(bottom) < surely) return zero_between(at, c.look[i - 1], bottom);
+      const LeastValue bottom =
+          least_between("the least slip of a step", at, c.look[i - 1], c.look[ends ? i : i + 1]);
+      if (bottom.value < surely) return zero_between(at, c.look[i - 1], bottom.place);
     }
     return 1;
   }
@@ -284,16 +287,6 @@ class RadialRunner {
     while (high - low > 1e-6) {
       const double middle = 0.5 * (low + high);
       (f(middle) < 0 ? high : low) = middle;
-    }
-    return 0.5 * (low + high);
-  }
-
-  // The place of the minimum of a function that has one, by thirds.
-  template <typename F>
-  static double lowest_between(F f, double low, double high) {
-    while (high - low > 1e-5) {
-      const double third = (high - low) / 3;
-      f(low + third) < f(high - third) ? high -= third : low += third;
     }
     return 0.5 * (low + high);
   }

@@ -27,8 +27,6 @@ struct RadialSample {
 RadialSample sample_of(const RadialPiece& piece, const ContactNumbers<double>& numbers,
                        double theta);
 
-/// run_lap() where the surface also moves radially (R2.1): from contact entry through all zones and free flight to the next
-/// entry. Slip has no closed form: see SlipStep. Means are good to about 1e-8 of mu_0 p.
 /// What a lap in the plane takes from another one, and leaves.
 struct RadialSteps {
   std::span<const RadialStep>
@@ -37,6 +35,8 @@ struct RadialSteps {
   core::Vector<RadialPiece>* trace{nullptr};  ///< its pieces are appended to it
 };
 
+/// run_lap() where the surface also moves radially (R2.1): from contact entry through all zones and free flight to the next
+/// entry. Slip has no closed form: see SlipStep. Means are good to about 1e-8 of mu_0 p, next to the birth of a zone to 1e-6.
 template <typename S>
 Lap<S> run_radial_lap(const ContactNumbers<S>& numbers, const LapEntry<S>& entry,
                       const RadialSteps& steps = {});

@@ -205,23 +205,28 @@ class RadialSearch {
 
 }  // namespace
 
+namespace {
+
+// The guess of a slice that has just opened or closed may lead nowhere: then the search begins at rest.
+PeriodicState searched(const ContactNumbers<double>& numbers, const LapGuess* guess,
+                       std::span<const RadialStep> known, double accuracy) {
+  PeriodicState state;
+  RadialSearch(numbers, accuracy, known, state).run(guess);
+  const bool done = state.status == PeriodicStatus::ok || guess == nullptr;
+  return done ? state : searched(numbers, nullptr, {}, accuracy);
+}
+
+}  // namespace
+
 PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const LapGuess* guess,
                                 double accuracy) {
-  PeriodicState state;
-  RadialSearch(numbers, accuracy, {}, state).run(guess);
-  if (state.status == PeriodicStatus::ok || guess == nullptr) return state;
-  // The guess of a slice that has just opened or closed may lead nowhere.
-  state = {};
-  RadialSearch(numbers, accuracy, {}, state).run(nullptr);
-  return state;
+  return searched(numbers, guess, {}, accuracy);
 }
 
 PeriodicState radial_state_beside(const ContactNumbers<double>& numbers,
                                   const PeriodicState& known) {
-  PeriodicState state;
   const LapGuess guess(known.entry);
-  RadialSearch(numbers, 0, known.steps, state).run(&guess);
-  return state;
+  return searched(numbers, &guess, known.steps, 0);
 }
 
 namespace {

@@ -11,7 +11,8 @@ namespace twum::inline v0_1::contact {
 PeriodicState find_radial_state(const ContactNumbers<double>& numbers, const LapGuess* guess,
                                 double accuracy);
 
-/// The same beside a state that is known: its lap is followed as far as it goes.
+/// The same beside a state that is known, of numbers that differ by so little that its steps are as good: they are followed as far
+/// as they go.
 PeriodicState radial_state_beside(const ContactNumbers<double>& numbers,
                                   const PeriodicState& known);
 

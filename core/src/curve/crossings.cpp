@@ -16,7 +16,7 @@ constexpr double kNextSpeed = 1e-13;  // of a speed
 constexpr double kLeastStep = 2e-16;  // of a speed
 constexpr int kTriedBeside = 2;
 constexpr double kRise =
-    1.01;  // of a falling torque: a thousandth, of what the speed takes from the wave's turn (E6.7)
+    1.01;  // of a falling torque: ten times what the speed takes from the wave's turn (E6.7)
 constexpr int kAboutPeak =
     2;  // nodes on each side of the best one which the search for the peak looks at
 

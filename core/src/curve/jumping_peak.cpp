@@ -23,7 +23,8 @@ Peak JumpingPeakSearch::find() {
     beside_gap = beside_gap || seen.gap;
     if (higher_end(k) < nearly() && !seen.worthy) continue;
     for (const Stretch& stretch : stretches_.between(nodes_[k], nodes_[k + 1])) {
-      beside_gap = beside_gap || stretches_.is_gap(stretch.first.speed, stretch.last.speed);
+      beside_gap = beside_gap || (!stretch.first.ok() &&
+                                  stretches_.is_gap(stretch.first.speed, stretch.last.speed));
       look_at(stretch);
     }
   }

@@ -50,8 +50,9 @@ Peak CurveSearch::highest_seen(Goal goal) {
 
 Peak CurveSearch::peak(Goal goal) {
   scan_.require_drive();
-  if (!peaks_[static_cast<std::size_t>(goal)] && points_.curve().may_jump() &&
-      !(goal == Goal::torque && stalls_at_most()) &&
+  // Beside a gap the peak is not told, so that it need not be found.
+  const bool is_known = peaks_[static_cast<std::size_t>(goal)].has_value();
+  if (!is_known && !begins_highest(goal) && points_.curve().may_jump() &&
       JumpingPeakSearch(goal, points_, crossings_, stretches_).is_beside_gap())
     throw SearchFailure{MetricStatus::no_periodic_state};
   const Peak seen = highest_seen(goal);
@@ -60,15 +61,15 @@ Peak CurveSearch::peak(Goal goal) {
 }
 
 // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
-bool CurveSearch::stalls_at_most() {
-  return !points_.curve().has_static_excess() && scan_.starts_on_plateau();
+bool CurveSearch::begins_highest(Goal goal) {
+  return goal == Goal::torque && !points_.curve().has_static_excess() && scan_.starts_on_plateau();
 }
 
 Peak CurveSearch::found_peak(Goal goal) {
   scan_.require_drive();
   const Curve& curve = points_.curve();
   const Peak first = GoalCurve(goal, points_).peak_at(scan_.first(), PeakKind::rest);
-  if (goal == Goal::torque && stalls_at_most()) return first;
+  if (begins_highest(goal)) return first;
   const Peak found = curve.may_jump()
                          ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
                          : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
@@ -80,10 +81,8 @@ Crossing CurveSearch::speed_at(double torque) {
   if (torque == 0) return no_load();
   if (!(torque > 0) || !scan_.drives()) throw SearchFailure{MetricStatus::unreachable};
   if (falls_beyond_top(torque)) {
-    if (passes_at_jump(torque)) return no_load();
-    const Vector<CurvePoint> nodes = nodes_around(torque);
-    const std::size_t k = after_last(nodes, torque);
-    return crossings_.falls_through(torque, nodes[k - 1], nodes[k]);
+    constexpr Peak kAnywhereBelow{};
+    return passes_at_jump(torque) ? no_load() : falls_through(torque, kAnywhereBelow);
   }
   const Peak top = highest_seen(Goal::torque);
   if (!(torque * (1 - kTypedTorque) <= top.value))

@@ -35,7 +35,7 @@ class CurveSearch {
   Peak peak(Goal goal);  // the highest seen, unless speeds without a state may hide a higher one
   Peak efficiency_peak(Goal goal);
   Peak found_peak(Goal goal);
-  bool stalls_at_most();
+  bool begins_highest(Goal goal);
   Vector<CurvePoint> nodes_around(double torque);
   bool falls_beyond_top(double torque);
   bool passes_at_jump(double torque);

@@ -102,7 +102,7 @@ TrackRule with_nodes_needed(const ModelArray<double>& values, TrackRule rule, in
   if (!search.is_trivial())
     while (count + 1 < kCounts.size() && kCounts[count + 1] <= most && !search.suffices(count))
       ++count;
-  rule.settled = count + 1 < kCounts.size() && kCounts[count] < most;
+  rule.settled = kCounts[count] < most;
   rule.nodes = kCounts[count];
   return rule;
 }

@@ -18,7 +18,7 @@ struct Order {
 };
 
 inline constexpr int kLowest = 8;  ///< modes of an order that are looked at
-/// Modes of an order that in most plates reach beyond the wave by more than the nearest mode; found in two thirds of the time.
+/// Modes of an order that in most plates reach beyond the wave by more than the nearest mode; found in half of the time.
 inline constexpr int kFew = 4;
 
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,

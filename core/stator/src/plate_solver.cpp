@@ -56,8 +56,8 @@ class Cholesky {
       factors_;
 };
 
-// Of Lanczos' method: vectors beyond three for each mode, which rarely need a restart; restarts; and the residual that is left, in parts of the
-// eigenvalue. An eigenvalue is good to the square of it, a vector to it over the gap to the next eigenvalue.
+// Of Lanczos' method: vectors beyond three for each mode, which rarely need a restart; restarts; and the residual that is left, in
+// parts of the eigenvalue. An eigenvalue is good to the square of it, a vector to it over the gap to the next eigenvalue.
 constexpr Index kSpare = 8;
 constexpr Index kRestarts = 1000;
 constexpr double kConverged = 1e-14;

@@ -6,7 +6,7 @@
 
 namespace twum::inline v0_1 {
 
-/// A number that is computed when it is first asked for. Threads that ask at once wait for one of them. If computing it throws,
+/// A value that is computed when it is first asked for. Threads that ask at once wait for one of them. If computing it throws,
 /// the next one who asks computes it.
 template <typename T>
 class Once {

@@ -64,8 +64,7 @@ enum class OtherModes { none, found };
 
 /// A stator whose travelling wave was found. What else is asked of it is computed then: derivatives and the distance of the
 /// nearest mode each take up to twice as long as the wave itself, and all modes beside it, of n - 2 to n + 2, four times as long;
-/// what was found of these is kept. Immutable and thread-safe; copies
-/// share what was found. Arguments, exceptions and derivatives are those of stator_model().
+/// what was found of these is kept. Immutable and thread-safe; copies share it. Arguments, exceptions and derivatives are those of stator_model().
 class SolvedStator {
  public:
   /// Finds the wave.
