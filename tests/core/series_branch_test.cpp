@@ -105,7 +105,7 @@ TEST_CASE("a motor behind a coil is its circuit in series with it (D8.1, D8.4, D
                                           {M::dielectric_loss_at, p.dielectric_loss},
                                           {M::power_factor_at, p.power_factor},
                                           {M::phase_lag_at, p.phase_lag}})
-        CHECK_THAT(metric_behind(motor, metric, speed), WithinAbs(value, 1e-13 * std::abs(value)));
+        CHECK_THAT(metric_behind(motor, metric, speed), WithinAbs(value, near * std::abs(value)));
       CHECK_THAT(metric_behind(motor, M::apparent_power_at, speed),
                  WithinRel(2 * voltage * std::abs(current), near));
       // In parallel with inverter and coil, it takes what of the current leads the voltage.
@@ -162,7 +162,8 @@ TEST_CASE("the lag behind the inverter passes half a turn without a jump (D8.2)"
     const double lag = metric_behind(motor, M::phase_lag_at, 5);
     CAPTURE(inductance, lag);
     if (!std::isnan(last)) CHECK(std::fabs(lag - last) < 0.5);
-    CHECK(motor.operating_point(5).phase_lag == lag);
+    // Both find the wave by themselves, as above.
+    CHECK_THAT(motor.operating_point(5).phase_lag, WithinRel(lag, 1e-10));
     beyond = beyond || lag > kPi;
     last = lag;
   }

@@ -24,8 +24,8 @@ TrackRule track_of(const MotorDesign& design) {
 
 }  // namespace
 
-WavesAtRest::WavesAtRest(const MotorDesign& design)
-    : waves_(Drive::waves_of(design)),
+WavesAtRest::WavesAtRest(DrivenWaves waves)
+    : waves_(std::move(waves)),
       line_(waves_, 0),
       extrema_(line_.extrema()),
       largest_(line_.largest_held()) {}

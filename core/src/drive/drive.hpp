@@ -13,8 +13,7 @@ namespace twum::inline v0_1::core {
 /// The waves of a motor that stands still, under every voltage. Immutable.
 class WavesAtRest {
  public:
-  /// @param design  an admissible design with a voltage
-  explicit WavesAtRest(const MotorDesign& design);
+  explicit WavesAtRest(DrivenWaves waves);
   WavesAtRest(const WavesAtRest&) = delete;
   WavesAtRest& operator=(const WavesAtRest&) = delete;
 
@@ -38,7 +37,7 @@ class Drive {
  public:
   /// @param design  an admissible design with a voltage
   explicit Drive(const MotorDesign& design)
-      : Drive(design, std::make_shared<const WavesAtRest>(design)) {}
+      : Drive(design, std::make_shared<const WavesAtRest>(waves_of(design))) {}
   /// @param at_rest  of the design
   Drive(const MotorDesign& design, std::shared_ptr<const WavesAtRest> at_rest);
   Drive(const Drive&) = delete;

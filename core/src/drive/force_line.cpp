@@ -113,11 +113,14 @@ double largest_amplitude(const DrivenWaves& w) {
 }
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed, double low, double high, Jumps jumps)
-    : waves_(waves),
-      speed_(speed),
-      curve_(ForcePlane::of_voltage(waves, speed), range_of(low, high), kRules.voltage) {
+    : ForceLine(waves, speed, range_of(low, high)) {
   follow(std::log(low), std::log(high), jumps);
 }
+
+ForceLine::ForceLine(const DrivenWaves& waves, double speed, const PlaneRange& range)
+    : waves_(waves),
+      speed_(speed),
+      curve_(ForcePlane::of_voltage(waves, speed), range, kRules.voltage) {}
 
 ForceLine::ForceLine(const DrivenWaves& waves, double speed)
     : ForceLine(waves, speed, lowest(waves, speed), highest(waves)) {
@@ -144,6 +147,24 @@ void ForceLine::follow_continuous(double low, double high) {
     if (!next) continue;
     samples.push_back(std::move(*next));
   }
+  take(std::move(samples));
+}
+
+// As long as the drive's force holds no wave of the amplitude.
+void ForceLine::follow_down_to_drive(double high) {
+  const double drive = std::log(waves_.drive());
+  Vector<CurveNode> samples;
+  for (double x = high; samples.empty() || samples.back().at.y > drive;
+       x -= kRules.voltage.longest) {
+    auto next = curve_.at_amplitude(x, samples.empty() ? nullptr : &samples.back().start);
+    if (!next) return;
+    samples.push_back(std::move(*next));
+  }
+  std::reverse(samples.begin(), samples.end());
+  take(std::move(samples));
+}
+
+void ForceLine::take(Vector<CurveNode> samples) {
   for (CurveNode& n : halved_where_in_doubt(std::move(samples)))
     nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.append(nodes_, std::move(n));
 }
@@ -323,6 +344,14 @@ std::optional<CurveNode> ForceLine::largest_held() const {
   for (std::size_t i = nodes_.size(); i > 1; --i)
     if (auto wave = held_after(i - 2)) return wave;
   return {};
+}
+
+std::optional<CurveNode> ForceLine::largest_held(const DrivenWaves& waves, double speed) {
+  const double most = largest_amplitude(waves);
+  if (!(waves.drive() > 0)) return {};
+  ForceLine line(waves, speed, range_of(kRules.smallest_amplitude, most));
+  line.follow_down_to_drive(std::log(most));
+  return line.largest_held();
 }
 
 Vector<WaveSolution> ForceLine::solutions() const {

@@ -50,6 +50,8 @@ class ForceLine {
   /// Waves under the drive's force, the smallest first.
   Vector<CurveNode> held() const;
   std::optional<CurveNode> largest_held() const;
+  /// The same at a speed without the smaller amplitudes. Needs mu_0 = mu.
+  static std::optional<CurveNode> largest_held(const DrivenWaves& waves, double speed);
   Vector<WaveSolution> solutions() const;
   /// The smallest amplitude needs less than the drive's force.
   bool begins_below() const;
@@ -69,8 +71,11 @@ class ForceLine {
   };
 
   std::optional<CurveNode> held_after(std::size_t i) const;
+  ForceLine(const DrivenWaves& waves, double speed, const PlaneRange& range);
   void follow(double low, double high, Jumps jumps);
   void follow_continuous(double low, double high);
+  void follow_down_to_drive(double high);
+  void take(Vector<CurveNode> samples);
   bool is_past_extrema(const CurveNode& n) const;
   Vector<CurveNode> halved_where_in_doubt(Vector<CurveNode> samples) const;
   void append(CurveNode next, Jumps jumps);

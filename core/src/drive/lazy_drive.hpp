@@ -41,6 +41,10 @@ class LazyDrive {
  public:
   explicit LazyDrive(const MotorDesign& design) : design_(design) {}
 
+  const DrivenWaves& waves() const {
+    return waves_.get(
+        [&] { return std::make_unique<const DrivenWaves>(Drive::waves_of(design_)); });
+  }
   const WavesAtRest& at_rest() const { return *rest(); }
   const Drive& drive() const { return found().drive; }
   /// The motor under the wave with which the curve begins.
@@ -57,13 +61,14 @@ class LazyDrive {
 
   const Rest& rest() const {
     return rest_.get(
-        [&] { return std::make_unique<const Rest>(std::make_shared<const WavesAtRest>(design_)); });
+        [&] { return std::make_unique<const Rest>(std::make_shared<const WavesAtRest>(waves())); });
   }
   const Found& found() const {
     return found_.get([&] { return std::make_unique<const Found>(design_, rest()); });
   }
 
   MotorDesign design_;
+  Lazy<DrivenWaves> waves_;
   Lazy<Rest> rest_;
   Lazy<Found> found_;
 };

@@ -28,10 +28,9 @@ bool runs_at_rest(const Vector<ForceExtremum>& extrema, const CurveNode& wave) {
          (wave.behind || extrema.empty() || std::any_of(extrema.begin(), extrema.end(), passed));
 }
 
-}  // namespace
-
-// Larger waves that are not held at rest may be at some speed.
-bool RunningBranch::begins_at_rest(const Vector<ForceExtremum>& at_rest, const CurveNode* largest) {
+// The running branch begins with the largest wave at rest, and there is no larger one at any speed. Larger waves that are not held at
+// rest may be at some speed.
+bool begins_at_rest(const Vector<ForceExtremum>& at_rest, const CurveNode* largest) {
   const auto is_hold_beyond = [&](const ForceExtremum& e) {
     return !e.maximum && e.amplitude > largest->amplitude;
   };
@@ -39,8 +38,10 @@ bool RunningBranch::begins_at_rest(const Vector<ForceExtremum>& at_rest, const C
          std::none_of(at_rest.begin(), at_rest.end(), is_hold_beyond);
 }
 
+}  // namespace
+
 RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
-                             const CurveNode* largest, bool with_dead, std::optional<double> only)
+                             const CurveNode* largest, bool with_dead)
     : waves_(waves), at_rest_(at_rest.extrema()) {
   if (!(waves.drive() > 0)) return;
   const auto hold = lowest_hold(at_rest_);
@@ -54,10 +55,7 @@ RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
   if (with_dead)
     for (const CurveNode& wave : at_rest.held())
       if (wave.rise > 0) trace(wave, 0);
-  if (!largest_runs || ends_in_gap()) {
-    if (!only) search();
-    if (only && *only <= fastest_) trace_waves_of(line(*only), *only);
-  }
+  if (!largest_runs || ends_in_gap()) search();
   list_nodes();
 }
 
@@ -317,7 +315,9 @@ std::optional<MotorPoint> RunningBranch::solve_in_known_zones(double speed, cons
     last = i == 0 ? off / guess.left : last;
     if (off * off / last <= kRules.settled_turn) {
       MotorPoint point{waves_.motor(a), {}};
-      point.solved = solve_point_near(point.motor, speed, near, from);
+      // The splits of the guess would leave up to 1e-7 of the torque.
+      point.solved = waves_.splits() ? solve_point(point.motor, speed, &from)
+                                     : solve_point_near(point.motor, speed, near, from);
       const double force = waves_.balance(point.solved.numbers, a).force();
       const bool balances = point.solved.status == PointStatus::ok &&
                             std::fabs(force - waves_.drive()) <= kRules.balanced * waves_.drive();

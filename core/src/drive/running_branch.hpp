@@ -20,14 +20,8 @@ class RunningBranch {
   /// @param at_rest    H at rest
   /// @param largest    wave there, null if there is none
   /// @param with_dead  the dead branch is followed too
-  /// @param only       if no wave runs at rest, waves are searched at this speed alone: of those that run elsewhere nothing is known
   RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, const CurveNode* largest,
-                bool with_dead, std::optional<double> only = {});
-
-  /// True if the running branch begins with this wave at rest, and there is no larger one at any speed.
-  /// @param at_rest  extrema of H there
-  /// @param largest  wave there, null if there is none
-  static bool begins_at_rest(const Vector<ForceExtremum>& at_rest, const CurveNode* largest);
+                bool with_dead);
 
   bool exists() const { return !nodes_.empty(); }
   /// Waves of the running branch, by rising speed.
@@ -37,8 +31,6 @@ class RunningBranch {
   /// Where the curve ends and the motor pulls out; null if it goes on to rest.
   const CurveNode* pull_out() const;
 
-  /// True if a running wave is known at a speed.
-  bool covers(double speed) const { return about(speed, true).piece != nullptr; }
   /// The motor under the wave of the running or the dead branch at a speed; its status says why there is none.
   MotorPoint at(double speed, bool running) const;
   /// True if a wave is one of the running branch or of another running one, false if not; nothing where no curve was followed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/followed_wave.hpp"
 
+#include "drive/running_wave.hpp"
 #include "metrics/motor_curve.hpp"
 #include "point/slice_count.hpp"
 
@@ -51,18 +52,11 @@ bool follows_wave(const MotorDesign& design, const LoadPoint& load) {
          (load.argument == Argument::torque || load.argument == Argument::speed);
 }
 
-std::unique_ptr<const FollowedCurve> FollowedCurve::at_speed(const WavesAtRest& at_rest,
+std::unique_ptr<const FollowedCurve> FollowedCurve::at_speed(const DrivenWaves& waves,
                                                              double speed) {
-  const DrivenWaves& waves = at_rest.waves();
-  // Where H jumps, pieces are found from pieces beside them.
-  if (!(speed >= 0) || waves.has_static_excess() ||
-      RunningBranch::begins_at_rest(at_rest.extrema(), at_rest.largest()))
-    return {};
-  const RunningBranch branch(waves, at_rest.line(), at_rest.largest(), false, speed);
-  if (!branch.covers(speed)) return {};
-  MotorPoint found = branch.at(speed, true);
-  if (found.solved.status != PointStatus::ok) return {};
-  return std::unique_ptr<const FollowedCurve>(new FollowedCurve(std::move(found), speed));
+  auto found = running_point(waves, speed);
+  if (!found) return {};
+  return std::unique_ptr<const FollowedCurve>(new FollowedCurve(*std::move(found), speed));
 }
 
 std::unique_ptr<const FollowedCurve> FollowedCurve::from(const MotorDesign& design,

@@ -24,9 +24,8 @@ class FollowedCurve final : public Curve {
   static std::unique_ptr<const FollowedCurve> from(const MotorDesign& design, const LoadPoint& load,
                                                    const LoadWave& near);
 
-  /// The point at a speed of a motor whose running wave is not met at rest: the waves of that speed alone are searched, in place of
-  /// those of all speeds. Null where this does not tell the running branch from others.
-  static std::unique_ptr<const FollowedCurve> at_speed(const WavesAtRest& at_rest, double speed);
+  /// The running wave at a speed where running_point() finds it, else null.
+  static std::unique_ptr<const FollowedCurve> at_speed(const DrivenWaves& waves, double speed);
 
   double speed() const { return begin(); }
   const MotorPoint& found() const { return found_; }

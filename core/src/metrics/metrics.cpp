@@ -147,7 +147,7 @@ class Parts {
   Answers& of_motor() {
     if (of_motor_) return *of_motor_;
     auto known =
-        only_speed_ ? FollowedCurve::at_speed(*MotorParts::at_rest(motor_), *only_speed_) : nullptr;
+        only_speed_ ? FollowedCurve::at_speed(MotorParts::waves(motor_), *only_speed_) : nullptr;
     known ? make_at_(motor_, std::move(known), of_motor_) : make_(motor_, of_motor_);
     return *of_motor_;
   }
