@@ -78,6 +78,11 @@ std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
 }
 
+bool is_admissible(const ParameterInfo& row, double value) {
+  return std::isfinite(value) && value >= row.min && value <= row.max &&
+         (!row.integer || value == std::floor(value));
+}
+
 std::string block_of(Parameter parameter) {
   const std::string_view name = info(parameter).name;
   return std::string(name.substr(0, name.find('_')));
@@ -188,13 +193,13 @@ std::optional<stator::Dimension> dimension_of(Parameter parameter) {
 
 std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
+  if (is_admissible(row, value)) return {};
   // called only for an error
   const auto found = [&] { return ", but is " + with_unit(value, row); };
   if (!std::isfinite(value)) return "must be a finite number" + found();
   if (!(value >= row.min)) return "must be at least " + with_unit(row.min, row) + found();
   if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found();
-  if (row.integer && value != std::floor(value)) return "must be a whole number" + found();
-  return {};
+  return "must be a whole number" + found();
 }
 
 void require_admissible(Parameter parameter, double value) {
@@ -226,9 +231,11 @@ MotorDesign with(const MotorDesign& design, Parameter parameter, double value) {
 std::vector<std::string> complaints(const MotorDesign& design) {
   std::vector<std::string> found;
   for (const ParameterInfo& row : kTable) {
-    if (!in_use(design, row.parameter)) continue;
-    const std::string wrong = complaint(row.parameter, get(design, row.parameter));
-    if (!wrong.empty()) found.push_back(std::string(row.name) + " " + wrong);
+    const ParameterPlace& place = place_of(row.parameter);
+    if (place.plate && design.stator.geometry) continue;
+    const double value = place.get(design);
+    if (is_admissible(row, value) || !in_use(design, row.parameter)) continue;
+    found.push_back(std::string(row.name) + " " + complaint(row.parameter, value));
   }
   if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())

@@ -48,13 +48,24 @@ std::optional<LoadedWave> Holding::out_of_voltage() const {
 // wave that carries the load, on the flank of the stator's own resonance.
 std::optional<LoadedWave> Holding::straight(Sought sought) const {
   const LoadedWave* const below = last_ ? &*last_ : nullptr;
-  auto wave = last_ ? from(*last_, sought) : std::nullopt;
-  if (!wave)
-    if (auto likely =
-            loaded_.likely(follows_by_frequency() ? likely_omega(sought) : waves_.omega()))
-      wave = from(std::move(*likely), sought);
+  auto wave = last_ && leads_on(*last_) ? from(*last_, sought) : std::nullopt;
+  if (!wave) wave = from_likely(sought);
   if (!wave || (follows_by_frequency() && !is_on_own_side(wave->omega))) return {};
   return loaded_.is_first(*wave, below) ? std::move(wave) : std::nullopt;
+}
+
+// A layer that rings may have waves at several frequencies for one load, of which the last one's need not lead to the same as a likely
+// one.
+bool Holding::leads_on(const LoadedWave& last) const {
+  return !follows_by_frequency() || loaded_.surely_rises(last.omega);
+}
+
+// At another frequency the crest of the likely wave is to be as fast.
+std::optional<LoadedWave> Holding::from_likely(Sought sought) const {
+  const double amplitude = loaded_.likely_amplitude(waves_.omega());
+  const double omega = follows_by_frequency() ? likely_omega(amplitude, sought) : waves_.omega();
+  auto likely = loaded_.likely(amplitude * waves_.omega() / omega, omega);
+  return likely ? from(std::move(*likely), sought) : std::nullopt;
 }
 
 std::optional<LoadedWave> Holding::from(LoadedWave wave, Sought sought) const {
@@ -77,8 +88,7 @@ HeldPoint Holding::scanned(Sought sought) const {
 
 // (Y2.3) of the likely wave, on which the contact acts by its pressure, and from which it takes what the load would at the speed
 // of the crest.
-double Holding::likely_omega(Sought sought) const {
-  const double amplitude = loaded_.likely_amplitude(waves_.omega());
+double Holding::likely_omega(double amplitude, Sought sought) const {
   const double power = std::fabs(loaded_.torque()) * waves_.crest_speed_per_amplitude() * amplitude;
   LoadedWave likely;
   likely.force =
@@ -88,42 +98,42 @@ double Holding::likely_omega(Sought sought) const {
   return square > 0 ? std::sqrt(square) : waves_.omega();
 }
 
-// From a wave, with its derivatives or those of one nearby.
-Holding::Step Holding::newton_step(const LoadedWave& w, const LoadedWave& slopes,
-                                   Sought sought) const {
+Holding::Step Holding::newton_step(const LoadedWave& w, Sought sought) const {
   const double flank = flank_of(w, sought);
   const double turns = flank > 0 ? w.force.imaginary / flank : 0;
   const double gap = w.force.real + flank, missing = loaded_.missing(w);
-  const double in_amplitude = slopes.in_amplitude.real - turns * slopes.in_amplitude.imaginary,
-               in_omega = slopes.in_omega.real - turns * slopes.in_omega.imaginary;
-  const double determinant =
-      slopes.torque_in_amplitude * in_omega - slopes.torque_in_omega * in_amplitude;
-  const double grown = (missing * in_omega + gap * slopes.torque_in_omega) / determinant,
-               raised = (-gap * slopes.torque_in_amplitude - missing * in_amplitude) / determinant;
+  const double in_amplitude = w.in_amplitude.real - turns * w.in_amplitude.imaginary,
+               in_omega = w.in_omega.real - turns * w.in_omega.imaginary;
+  const double determinant = w.torque_in_amplitude * in_omega - w.torque_in_omega * in_amplitude;
+  const double grown = (missing * in_omega + gap * w.torque_in_omega) / determinant,
+               raised = (-gap * w.torque_in_amplitude - missing * in_amplitude) / determinant;
   return {grown, raised, std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega)};
 }
 
-// Both by Newton's method. Nothing where that does not lead straight there.
+// Both by Newton's method. Nothing where that does not lead straight there. Slopes that are off by a step leave that share of the
+// next one: where this is nothing, they are not computed again.
 std::optional<LoadedWave> Holding::by_newton(LoadedWave w, Sought sought) const {
   double last = kHeldRules.longest_newton;
   for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
-    const Step step = newton_step(w, w, sought);
+    const Step step = newton_step(w, sought);
     if (!(step.size < last)) return {};
     last = step.size;
-    LoadedWave next = loaded_.found(w.amplitude + step.amplitude, w.omega + step.omega, &w);
-    for (int back = 1; back <= kHeldRules.most_back && LoadedWaves::on_plateau(next); ++back) {
-      const double share = std::ldexp(1.0, -back);
-      next = loaded_.found(w.amplitude + share * step.amplitude, w.omega + share * step.omega, &w);
-    }
+    LoadedWave next = stepped(w, step, 1);
+    for (int back = 1; back <= kHeldRules.most_back && LoadedWaves::on_plateau(next); ++back)
+      next = stepped(w, step, std::ldexp(1.0, -back));
     if (!next.ok()) return {};
-    if (newton_step(next, w, sought).size <= kHeldRules.settled) {
-      next.take_slopes(w);
-      return next;
-    }
-    loaded_.differentiate(next);
+    next.take_slopes(w);
+    const double left = newton_step(next, sought).size;
+    if (left <= kHeldRules.settled && next.exact()) return next;
+    if (left * step.size > kHeldRules.settled) loaded_.differentiate(next);
     w = std::move(next);
   }
   return {};
+}
+
+LoadedWave Holding::stepped(const LoadedWave& w, const Step& step, double share) const {
+  return loaded_.found(w.amplitude + share * step.amplitude, w.omega + share * step.omega, &w,
+                       LoadedWaves::accuracy_of(step.size * step.size));
 }
 
 // (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the

@@ -41,11 +41,14 @@ class Holding {
 
   bool follows_by_frequency() const { return control_ == DriveControl::frequency; }
   std::optional<LoadedWave> straight(Sought sought) const;
+  bool leads_on(const LoadedWave& last) const;
+  std::optional<LoadedWave> from_likely(Sought sought) const;
   std::optional<LoadedWave> from(LoadedWave wave, Sought sought) const;
   std::optional<LoadedWave> out_of_voltage() const;
   HeldPoint scanned(Sought sought) const;
-  double likely_omega(Sought sought) const;
-  Step newton_step(const LoadedWave& w, const LoadedWave& slopes, Sought sought) const;
+  double likely_omega(double amplitude, Sought sought) const;
+  Step newton_step(const LoadedWave& w, Sought sought) const;
+  LoadedWave stepped(const LoadedWave& w, const Step& step, double share) const;
   std::optional<LoadedWave> by_newton(LoadedWave w, Sought sought) const;
   HeldPoint at_frequency(LoadedWave w, Sought sought) const;
   double flank_squared(const LoadedWave& w, Sought sought) const;

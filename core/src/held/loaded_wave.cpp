@@ -42,15 +42,16 @@ LoadedWaves::LoadedWaves(const DrivenWaves& waves, double speed) : waves_(waves)
 void LoadedWaves::carry(double torque) { torque_ = torque, root_ = std::cbrt(plateau_ - torque); }
 
 // To first order the layer enters as the derivatives of the wave nearby say.
-LoadedWave LoadedWaves::found(double amplitude, double omega, const LoadedWave* near) const {
+LoadedWave LoadedWaves::found(double amplitude, double omega, const LoadedWave* near,
+                              double accuracy) const {
   const DrivenWaves there = waves_.at_frequency(omega);
   std::optional<WarmStart> start;
   if (near)
     start =
         moved(near->solved.start(), near->states, amplitude - near->amplitude, omega - near->omega);
   LoadedWave w;
-  w.amplitude = amplitude, w.omega = omega;
-  w.solved = solve_point(there.motor(amplitude), speed_, start ? &*start : nullptr);
+  w.amplitude = amplitude, w.omega = omega, w.accuracy = accuracy;
+  w.solved = solve_point(there.motor(amplitude), speed_, start ? &*start : nullptr, accuracy);
   w.torque = w.solved.numbers.torque;
   w.force = there.balance(w.solved.numbers, amplitude);
   return w;
@@ -68,8 +69,9 @@ void LoadedWaves::differentiate(LoadedWave& w) const {
   w.states = std::move(moving.states);
 }
 
-LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* near) const {
-  LoadedWave w = found(amplitude, omega, near);
+LoadedWave LoadedWaves::at(double amplitude, double omega, const LoadedWave* near,
+                           double accuracy) const {
+  LoadedWave w = found(amplitude, omega, near, accuracy);
   if (w.ok()) differentiate(w);
   return w;
 }
@@ -84,19 +86,29 @@ double LoadedWaves::likely_amplitude(double omega) const {
   return TorqueLaw(waves_.at_frequency(omega), speed_).amplitude(torque_ / plateau_);
 }
 
-std::optional<LoadedWave> LoadedWaves::likely(double omega) const {
+std::optional<LoadedWave> LoadedWaves::likely(double amplitude, double omega) const {
   if (waves_.has_static_excess()) return {};
-  double amplitude = likely_amplitude(omega);
-  LoadedWave w = at(amplitude, omega);
+  LoadedWave w = at(amplitude, omega, nullptr, kHeldRules.crude);
   for (int i = 0; i < kHeldRules.most_back && on_plateau(w); ++i)
-    w = at(amplitude *= 1 - kHeldRules.back, omega);
+    w = at(amplitude *= 1 - kHeldRules.back, omega, nullptr, kHeldRules.crude);
   return w.ok() ? std::optional(std::move(w)) : std::nullopt;
 }
 
-// Without inertia T(A) rises up to its plateau (980 curves). Below the first wave that carries a smaller load at the same frequency
-// nothing carries even that.
+// T(A) rises up to its plateau without inertia (980 curves), and where the layer's own oscillation dies away within a contact that is
+// partial from the crest's speed on: c >= 1.5 M (260,000 motors with 1.3 to 2.6 M; 80 ripple, all in full contact).
+bool LoadedWaves::surely_rises(double omega) const {
+  const DrivenWaves there = waves_.at_frequency(omega);
+  const MotorModel<double>& m = there.model();
+  if (m.inertia == 0) return true;
+  const bool dies_away =
+      m.viscosity >= kHeldRules.dies_away * m.inertia * (omega + m.kappa * m.r * speed_);
+  const double at_crest = speed_ / there.crest_speed_per_amplitude();
+  return dies_away && m.track.nodes == 1 && at_crest > there.full_contact_amplitude();
+}
+
+// Below the first wave that carries a smaller load at the same frequency nothing carries even that.
 bool LoadedWaves::is_first(const LoadedWave& w, const LoadedWave* lower) const {
-  if (waves_.model().inertia == 0) return true;
+  if (surely_rises(w.omega)) return true;
   const bool known = lower && lower->omega == w.omega && lower->torque < torque_;
   const LoadedWave low = known ? *lower : below_load(w.omega);
   return low.ok() && low.amplitude < w.amplitude && w.torque_in_amplitude > 0 &&
@@ -106,9 +118,10 @@ bool LoadedWaves::is_first(const LoadedWave& w, const LoadedWave* lower) const {
 // Where the stator's crest is as fast as the rotor the contact brakes. A layer that sticks brakes less there, so that a load that
 // drives may be carried below.
 LoadedWave LoadedWaves::below_load(double omega) const {
-  LoadedWave w = at(speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude(), omega);
+  LoadedWave w = at(speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude(), omega, nullptr,
+                    kHeldRules.crude);
   for (int i = 0; i < kHeldRules.most_steps && w.ok() && w.torque >= torque_; ++i)
-    w = at(w.amplitude * std::exp(-kHeldRules.longest), omega, &w);
+    w = at(w.amplitude * std::exp(-kHeldRules.longest), omega, &w, kHeldRules.crude);
   return w;
 }
 
@@ -217,11 +230,11 @@ double LoadedWaves::towards_load(const LoadedWave& near, const LoadedWave* befor
   const double next =
       rises ? on_cubic(*before, near) : near.amplitude + missing(near) / near.torque_in_amplitude;
   const double longest = std::exp(kHeldRules.blind);
-  const double least = low ? low->amplitude : high->amplitude / longest,
-               most = high ? high->amplitude : low->amplitude * longest;
+  const double least = low ? low->amplitude : (high ? *high : near).amplitude / longest,
+               most = high ? high->amplitude : (low ? *low : near).amplitude * longest;
   if (next > least && next < most) return next;
   if (low && high) return 0.5 * (least + most);
-  return low ? most : least;
+  return near.torque < torque_ ? most : least;
 }
 
 // Steps towards the load in a bracket, which halve it where they do not lead there fast: at a jump.
@@ -232,7 +245,7 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
   double last = HUGE_VAL;
   for (int i = 0; i < kHeldRules.most_tries && near.ok(); ++i) {
     const double off = std::fabs(torque_ - near.torque);
-    (near.torque < torque_ ? low : high) = near;
+    if (near.exact()) (near.torque < torque_ ? low : high) = near;
     if (low && high && high->amplitude - low->amplitude <= kHeldRules.settled * high->amplitude) {
       // A jump of the torque passes by the load.
       const double scale = std::fabs(torque_) + plateau_;
@@ -241,11 +254,14 @@ std::optional<LoadedWave> LoadedWaves::solve(Reached ends) const {
     halved = !halved && low && high && off > kHeldRules.fast * last;
     const double next = halved ? 0.5 * (low->amplitude + high->amplitude)
                                : towards_load(near, before ? &*before : nullptr, ends);
-    if (std::fabs(next - near.amplitude) <= kHeldRules.settled * near.amplitude) return near;
-    LoadedWave tried = found(next, near.omega, &near);
+    const double step = std::fabs(next - near.amplitude) / near.amplitude;
+    if (step <= kHeldRules.settled && near.exact()) return near;
+    const double by_cubic = before ? log_step(*before, near) : 1;
+    LoadedWave tried =
+        found(next, near.omega, &near, accuracy_of(step * step * by_cubic * by_cubic));
     const bool settled =
         std::fabs(torque_ - tried.torque) <= kHeldRules.settled * next * near.torque_in_amplitude;
-    if (tried.ok() && settled) {
+    if (tried.ok() && tried.exact() && settled) {
       tried.take_slopes(near);
       return tried;
     }

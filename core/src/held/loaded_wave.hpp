@@ -17,6 +17,8 @@ struct HeldRules {
   double even = 2;
   /// Of the distance at which the torque is expected: most often it is reached then.
   double beyond = 1.2;
+  /// Damping over inertia of a layer, c / M (C1.6), from which on it does not ring in a partial contact.
+  double dies_away = 1.5;
   /// ln A of the longest step towards a load of which one side is not known yet.
   double blind = 0.5;
   /// What a step leaves of the difference from the load, at most, unless the bracket is to be halved.
@@ -26,6 +28,8 @@ struct HeldRules {
   int most_steps = 400, most_tries = 80;
   /// Last step of A, and of omega, which is not solved again.
   double settled = 1e-12;
+  /// Accuracy of the layer's states of a wave that is expected to be off by more, of itself, and only leads to others.
+  double crude = 1e-6;
   /// T_p - T goes with the cube of A_p - A: closer to the plateau the amplitude is not determined.
   double reach = 1 - 1e-6;
   /// Of the torque's scale: a larger step of the torque between two amplitudes that rounding cannot part is a jump.
@@ -47,6 +51,7 @@ inline constexpr HeldRules kHeldRules{};
 /// A wave at a speed, with the derivatives of its torque and of its force from the drive in amplitude and frequency.
 struct LoadedWave {
   double amplitude{0}, omega{0};
+  double accuracy{0};  ///< of the layer's states, as find_periodic_state()
   SolvedPoint solved;
   double torque{0};
   WaveBalance<double> force{0, 0};  ///< R and I of the drive's force (D2.3)
@@ -57,6 +62,7 @@ struct LoadedWave {
   /// @}
 
   bool ok() const { return solved.status == PointStatus::ok; }
+  bool exact() const { return accuracy == 0; }
   /// Takes the derivatives of a wave next to it.
   void take_slopes(const LoadedWave& near);
 };
@@ -74,17 +80,24 @@ class LoadedWaves {
   double plateau() const { return plateau_; }
 
   /// A wave without its derivatives; `near` is one that has them.
-  LoadedWave found(double amplitude, double omega, const LoadedWave* near = nullptr) const;
+  LoadedWave found(double amplitude, double omega, const LoadedWave* near = nullptr,
+                   double accuracy = 0) const;
   void differentiate(LoadedWave& wave) const;
+  /// How well the layer's states of a wave have to be known.
+  /// @param off  what Newton's method leaves of it: the square of its step, of itself
+  static double accuracy_of(double off) { return off > kHeldRules.crude ? kHeldRules.crude : 0; }
   /// What a wave lacks of the load, as Newton's method for the cube root of T_p - T sees it [N m].
   double missing(const LoadedWave& wave) const;
 
   /// A wave of a frequency that carries about the load, whether that is its first or not. Nothing if there is no telling: with
   /// mu_0 > mu, which makes the torque jump, or if its layer has no periodic state.
-  std::optional<LoadedWave> likely(double omega) const;
+  /// @param amplitude  a guess, such as likely_amplitude()
+  std::optional<LoadedWave> likely(double amplitude, double omega) const;
   /// The whole contact slips and drives: no slope leads back.
   static bool on_plateau(const LoadedWave& w) { return w.ok() && w.solved.drives(); }
   double likely_amplitude(double omega) const;
+  /// The torque rises with the amplitude up to its plateau, as far as is known: its layer does not ring.
+  bool surely_rises(double omega) const;
   /// True if no smaller amplitude of its frequency carries the load, too.
   /// @param lower  the first wave that carries another load; null if none is known
   bool is_first(const LoadedWave& wave, const LoadedWave* lower) const;
@@ -107,7 +120,8 @@ class LoadedWaves {
   std::optional<LoadedWave> solve_at_frequency(const LoadedWave& known, double omega) const;
 
  private:
-  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr) const;
+  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr,
+                double accuracy = 0) const;
   LoadedWave below_load(double omega) const;
   bool is_even(const LoadedWave& low, const LoadedWave& high) const;
   bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
