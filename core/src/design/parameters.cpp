@@ -52,6 +52,25 @@ constexpr auto kTable = [] {
   return table;
 }();
 
+// Of what is asked of every parameter of every motor: apart from the texts it stays in the processor's cache.
+struct Range {
+  double min, max;
+  bool integer;
+
+  bool holds(double value) const {
+    return std::isfinite(value) && value >= min && value <= max &&
+           (!integer || value == std::floor(value));
+  }
+};
+
+constexpr auto kRanges = [] {
+  std::array<Range, kParameterCount> ranges{};
+  std::transform(kRows.begin(), kRows.end(), ranges.begin(), [](const auto& row) {
+    return Range{row.info.min, row.info.max, row.info.integer};
+  });
+  return ranges;
+}();
+
 constexpr auto kPlaces = [] {
   std::array<ParameterPlace, kParameterCount> places{};
   std::transform(kRows.begin(), kRows.end(), places.begin(),
@@ -76,11 +95,6 @@ std::string number(double value) {
 
 std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
-}
-
-bool is_admissible(const ParameterInfo& row, double value) {
-  return std::isfinite(value) && value >= row.min && value <= row.max &&
-         (!row.integer || value == std::floor(value));
 }
 
 std::string block_of(Parameter parameter) {
@@ -171,10 +185,18 @@ double get(const MotorDesign& design, Parameter parameter) {
                                                : place.get(design);
 }
 
+namespace {
+
+bool in_use(const ParameterPlace& place, const MotorDesign& design, double value) {
+  return place.in_use != nullptr ? place.in_use(design) : !std::isnan(value);
+}
+
+}  // namespace
+
 bool in_use(const MotorDesign& design, Parameter parameter) {
   const ParameterPlace& place = place_of(parameter);
   if (place.plate && design.stator.geometry) return false;
-  return place.in_use != nullptr ? place.in_use(design) : !std::isnan(place.get(design));
+  return in_use(place, design, place.get(design));
 }
 
 bool is_given(const MotorDesign& design, Parameter parameter) {
@@ -193,7 +215,7 @@ std::optional<stator::Dimension> dimension_of(Parameter parameter) {
 
 std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
-  if (is_admissible(row, value)) return {};
+  if (kRanges[index_of(parameter)].holds(value)) return {};
   // called only for an error
   const auto found = [&] { return ", but is " + with_unit(value, row); };
   if (!std::isfinite(value)) return "must be a finite number" + found();
@@ -230,12 +252,12 @@ MotorDesign with(const MotorDesign& design, Parameter parameter, double value) {
 
 std::vector<std::string> complaints(const MotorDesign& design) {
   std::vector<std::string> found;
-  for (const ParameterInfo& row : kTable) {
-    const ParameterPlace& place = place_of(row.parameter);
+  for (std::size_t i = 0; i < kParameterCount; ++i) {
+    const ParameterPlace& place = kPlaces[i];
     if (place.plate && design.stator.geometry) continue;
     const double value = place.get(design);
-    if (is_admissible(row, value) || !in_use(design, row.parameter)) continue;
-    found.push_back(std::string(row.name) + " " + complaint(row.parameter, value));
+    if (kRanges[i].holds(value) || !in_use(place, design, value)) continue;
+    found.push_back(std::string(kTable[i].name) + " " + complaint(kTable[i].parameter, value));
   }
   if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())

@@ -57,7 +57,7 @@ std::optional<LoadedWave> Holding::straight(Sought sought) const {
 // A layer that rings may have waves at several frequencies for one load, of which the last one's need not lead to the same as a likely
 // one.
 bool Holding::leads_on(const LoadedWave& last) const {
-  return !follows_by_frequency() || loaded_.surely_rises(last.omega);
+  return !follows_by_frequency() || !loaded_.rings(last.omega);
 }
 
 // At another frequency the crest of the likely wave is to be as fast.

@@ -94,16 +94,19 @@ std::optional<LoadedWave> LoadedWaves::likely(double amplitude, double omega) co
   return w.ok() ? std::optional(std::move(w)) : std::nullopt;
 }
 
-// T(A) rises up to its plateau without inertia (980 curves), and where the layer's own oscillation dies away within a contact that is
-// partial from the crest's speed on: c >= 1.5 M (260,000 motors with 1.3 to 2.6 M; 80 ripple, all in full contact).
+bool LoadedWaves::rings(double omega) const {
+  const MotorModel<double>& m = waves_.model();
+  const double viscosity = waves_.at_frequency(omega).model().viscosity;
+  return viscosity < kHeldRules.dies_away * m.inertia * (omega + m.kappa * m.r * speed_);
+}
+
+// T(A) rises up to its plateau without inertia (980 curves), and where a layer does not ring in a contact that is partial from the
+// crest's speed on (260,000 motors with c from 1.3 M to 2.6 M; 80 ripple, all in full contact).
 bool LoadedWaves::surely_rises(double omega) const {
-  const DrivenWaves there = waves_.at_frequency(omega);
-  const MotorModel<double>& m = there.model();
-  if (m.inertia == 0) return true;
-  const bool dies_away =
-      m.viscosity >= kHeldRules.dies_away * m.inertia * (omega + m.kappa * m.r * speed_);
-  const double at_crest = speed_ / there.crest_speed_per_amplitude();
-  return dies_away && m.track.nodes == 1 && at_crest > there.full_contact_amplitude();
+  if (waves_.model().inertia == 0) return true;
+  const double at_crest = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
+  return !rings(omega) && waves_.model().track.nodes == 1 &&
+         at_crest > waves_.full_contact_amplitude();
 }
 
 // Below the first wave that carries a smaller load at the same frequency nothing carries even that.

@@ -96,8 +96,8 @@ class LoadedWaves {
   /// The whole contact slips and drives: no slope leads back.
   static bool on_plateau(const LoadedWave& w) { return w.ok() && w.solved.drives(); }
   double likely_amplitude(double omega) const;
-  /// The torque rises with the amplitude up to its plateau, as far as is known: its layer does not ring.
-  bool surely_rises(double omega) const;
+  /// The layer's own oscillation outlives a contact: c < 1.5 M.
+  bool rings(double omega) const;
   /// True if no smaller amplitude of its frequency carries the load, too.
   /// @param lower  the first wave that carries another load; null if none is known
   bool is_first(const LoadedWave& wave, const LoadedWave* lower) const;
@@ -123,6 +123,7 @@ class LoadedWaves {
   LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr,
                 double accuracy = 0) const;
   LoadedWave below_load(double omega) const;
+  bool surely_rises(double omega) const;
   bool is_even(const LoadedWave& low, const LoadedWave& high) const;
   bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
   double next_step(const LoadedWave& from) const;
