@@ -101,7 +101,7 @@ bool LoadedWaves::rings(double omega) const {
 }
 
 // T(A) rises up to its plateau without inertia (980 curves), and where a layer does not ring in a contact that is partial from the
-// crest's speed on (260,000 motors with c from 1.3 M to 2.6 M; 80 ripple, all in full contact).
+// crest's speed on (260,000 motors with C from 1.3 M to 2.6 M; 80 ripple, all in full contact).
 bool LoadedWaves::surely_rises(double omega) const {
   if (waves_.model().inertia == 0) return true;
   const double at_crest = speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();

@@ -17,7 +17,7 @@ struct HeldRules {
   double even = 2;
   /// Of the distance at which the torque is expected: most often it is reached then.
   double beyond = 1.2;
-  /// Damping over inertia of a layer, c / M (C1.6), from which on it does not ring in a partial contact.
+  /// Damping over inertia of a layer, C / M, from which on it does not ring in a partial contact.
   double dies_away = 1.5;
   /// ln A of the longest step towards a load of which one side is not known yet.
   double blind = 0.5;
@@ -96,7 +96,7 @@ class LoadedWaves {
   /// The whole contact slips and drives: no slope leads back.
   static bool on_plateau(const LoadedWave& w) { return w.ok() && w.solved.drives(); }
   double likely_amplitude(double omega) const;
-  /// The layer's own oscillation outlives a contact: c < 1.5 M.
+  /// The layer's own oscillation outlives a contact: C < 1.5 M.
   bool rings(double omega) const;
   /// True if no smaller amplitude of its frequency carries the load, too.
   /// @param lower  the first wave that carries another load; null if none is known
