@@ -28,7 +28,7 @@ double TorqueLaw::amplitude(double share) const {
   // The cube law holds near the plateau. The factors are fits to 6,000 motors; most amplitudes are right to 5 %.
   const double way = (2 + std::fabs(share)) / 3 * (1 - std::cbrt(1 - share));
   const auto load = [](double angle) { return std::sin(angle) - angle * std::cos(angle); };
-  // By how much V is beyond what the load takes; at 0 all of the way is left, at pi none.
+  // By how much V is beyond what the load takes. A load that drives a slow rotor may leave some even at pi.
   const auto beyond = [&](double angle) {
     const double sine = std::sin(angle), carried = sine - angle * std::cos(angle);
     return sine / angle - slow_ * carried - way * (carried / angle + steep_ * sine);
@@ -38,7 +38,7 @@ double TorqueLaw::amplitude(double share) const {
     const double angle = 0.5 * (low + high), here = beyond(angle);
     (here > 0 ? low : high) = angle, (here > 0 ? at_low : at_high) = here;
   }
-  const double angle = low + (high - low) * at_low / (at_low - at_high);
+  const double angle = at_high < 0 ? low + (high - low) * at_low / (at_low - at_high) : high;
   return soft_ / load(angle) * std::exp(-0.25 * rings_ * (1 + 2 * share));
 }
 

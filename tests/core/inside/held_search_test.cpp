@@ -114,3 +114,32 @@ TEST_CASE("the torque law is close to the waves of usual elastic layers (Y2.7)",
     CHECK(TorqueLaw(waves, speed).amplitude(share) == Approx(held.amplitude).epsilon(0.05));
   }
 }
+
+TEST_CASE("the torque of a layer that does not ring rises with the amplitude in a partial contact",
+          "[core][held][property]") {
+  constexpr double kStep = 0.02;
+  test::Dice dice(23);
+  int risen = 0;
+  for (int i = 0; i < 1500; ++i) {
+    MotorDesign design = random_motor(dice, 0);
+    design.layer.loss_factor = dice.log_uniform(0.02, 0.4);
+    const DrivenWaves waves(design, {});
+    const double crest = dice.log_uniform(2e-8, 4e-6);
+    const double speed = std::min(60.0, crest * waves.crest_speed_per_amplitude());
+    const double at_crest = speed / waves.crest_speed_per_amplitude();
+    const LoadedWaves loaded(waves, speed);
+    if (loaded.rings(waves.omega()) || at_crest <= waves.full_contact_amplitude()) continue;
+    CAPTURE(i, speed);
+    // Far above rounding, and far below a ripple, which is a wave of the layer's own.
+    const double noise = 1e-10 * loaded.plateau();
+    double last = -HUGE_VAL;
+    for (double x = 0; x < 4 && last < (1 - 1e-9) * loaded.plateau(); x += kStep) {
+      const LoadedWave wave = loaded.found(at_crest * std::exp(x), waves.omega());
+      if (!wave.ok()) break;
+      CHECK(wave.torque >= last - noise);
+      last = wave.torque;
+    }
+    ++risen;
+  }
+  CHECK(risen > 100);
+}
