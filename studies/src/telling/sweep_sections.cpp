@@ -89,11 +89,42 @@ bool changes_at(const Numbers& held, const Numbers& metric) {
   return false;
 }
 
+// A picture has no room for more rows or columns of cells.
+constexpr std::size_t kMostLines = 256;
+
+std::set<double> distinct(const Numbers& numbers) {
+  return {numbers.values.begin(), numbers.values.end()};
+}
+
+// Every k-th of the values, from the first on.
+std::set<double> drawn_lines(const Numbers& numbers) {
+  const std::set<double> all = distinct(numbers);
+  const std::size_t every = (all.size() + kMostLines - 1) / kMostLines;
+  std::set<double> drawn;
+  std::size_t i = 0;
+  for (const double value : all)
+    if (i++ % every == 0) drawn.insert(value);
+  return drawn;
+}
+
+void thin(Series& cells) {
+  const std::set<double> across = drawn_lines(cells.x), up = drawn_lines(cells.y);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.x.values.size(); ++i) {
+    if (!across.contains(cells.x.values[i]) || !up.contains(cells.y.values[i])) continue;
+    for (Numbers* numbers : {&cells.x, &cells.y, &cells.z})
+      numbers->values[kept] = numbers->values[i];
+    ++kept;
+  }
+  for (Numbers* numbers : {&cells.x, &cells.y, &cells.z}) numbers->values.resize(kept);
+}
+
 Chart map_chart(const SweepResult& answer, const SweptMetric& metric, const Columns& columns) {
   Chart chart = pair_chart("map " + metric.column.name, answer.variables[0], answer.variables[1],
                            Stroke::cells, columns);
   chart.title = {name_part(metric.column.name)};
   chart.series.front().z = columns.of(metric.column);
+  thin(chart.series.front());
   chart.colours = axis_of(metric.column);
   return chart;
 }
@@ -102,6 +133,11 @@ Chart map_chart(const SweepResult& answer, const SweptMetric& metric, const Colu
 Section map(const SweepResult& answer, const Columns& columns) {
   Section section{{"Map"}, {"The metric over the two variables."}};
   section.hook = "map";
+  for (const StoredColumn& variable : answer.variables)
+    if (distinct(columns.of(variable)).size() > kMostLines)
+      section.sentences.push_back(
+          {"Not every value of ", name_part(variable.name),
+           " is drawn: a picture has no room for more than " + std::to_string(kMostLines) + "."});
   for (const SweptMetric& metric : answer.metrics)
     if (metric.count > 0) section.charts.push_back(map_chart(answer, metric, columns));
   std::ranges::stable_partition(section.charts, [](const Chart& chart) {
