@@ -5,6 +5,7 @@
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/studies/run_study.hpp>
 #include <twum/studies/study_file.hpp>
+#include <twum/studies/telling.hpp>
 #include <twum/studies/verify_study.hpp>
 
 #include <catch2/catch.hpp>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 
 using namespace twum;
 using namespace twum::studies;
@@ -304,4 +306,26 @@ study:
     status.push_back(row.status);
   });
   CHECK(status == std::vector<std::string>{"no-ring-mode", "ok"});
+}
+
+TEST_CASE("a map of a large grid draws some lines of its cells, each with its own value",
+          "[studies][sweep][closed-form]") {
+  const Sweep sweep(
+      "  variables: {preload: {min: 60 N, max: 300 N, points: 600}, mu: {min: 0.1, max: 0.4, "
+      "points: 3}}\n"
+      "  sampling: grid\n  metrics: [holding_torque]\n");
+  const ResultStore rows(sweep.folder.path("out/results.db"));
+  const auto list = telling::sections(sweep.result, {&sweep.file, &rows, nullptr});
+  const auto map = std::find_if(list.begin(), list.end(),
+                                [](const auto& section) { return section.hook == "map"; });
+  REQUIRE(map != list.end());
+  CHECK(map->sentences.size() == 1);  // of preload, not of mu
+  const telling::Series& cells = map->charts.front().series.front();
+  const std::vector<double>&x = cells.x.values, &y = cells.y.values, &z = cells.z.values;
+  CHECK(std::set<double>(x.begin(), x.end()).size() == 200);
+  REQUIRE(x.size() == 600);
+  REQUIRE((y.size() == x.size() && z.size() == x.size()));
+  const double radius = sweep.file.motor.design.stator.contact_radius;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    CHECK(z[i] == Approx(y[i] * x[i] * radius).epsilon(1e-12));  // mu F_N r
 }
