@@ -319,7 +319,7 @@ TEST_CASE("a map of a large grid draws some lines of its cells, each with its ow
   const auto map = std::find_if(list.begin(), list.end(),
                                 [](const auto& section) { return section.hook == "map"; });
   REQUIRE(map != list.end());
-  CHECK(map->sentences.size() == 1);  // of preload, not of mu
+  CHECK(map->sentences.size() == 1);  // says so
   const telling::Series& cells = map->charts.front().series.front();
   const std::vector<double>&x = cells.x.values, &y = cells.y.values, &z = cells.z.values;
   CHECK(std::set<double>(x.begin(), x.end()).size() == 200);

@@ -203,10 +203,6 @@ class RadialSearch {
   double scale_, tolerance_, gap_{0}, progress_{1};
 };
 
-}  // namespace
-
-namespace {
-
 // The guess of a slice that has just opened or closed may lead nowhere: then the search begins at rest.
 PeriodicState searched(const ContactNumbers<double>& numbers, const LapGuess* guess,
                        std::span<const RadialStep> known, double accuracy) {

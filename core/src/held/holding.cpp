@@ -54,13 +54,12 @@ std::optional<LoadedWave> Holding::straight(Sought sought) const {
   return loaded_.is_first(*wave, below) ? std::move(wave) : std::nullopt;
 }
 
-// A layer that rings may have waves at several frequencies for one load, of which the last one's need not lead to the same as a likely
-// one.
+// A layer that rings may have waves at several frequencies for one load. Which one is found must not depend on the load before.
 bool Holding::leads_on(const LoadedWave& last) const {
   return !follows_by_frequency() || !loaded_.rings(last.omega);
 }
 
-// At another frequency the crest of the likely wave is to be as fast.
+// At another frequency the likely amplitude is that of a crest as fast.
 std::optional<LoadedWave> Holding::from_likely(Sought sought) const {
   const double amplitude = loaded_.likely_amplitude(waves_.omega());
   const double omega = follows_by_frequency() ? likely_omega(amplitude, sought) : waves_.omega();
@@ -110,8 +109,8 @@ Holding::Step Holding::newton_step(const LoadedWave& w, Sought sought) const {
   return {grown, raised, std::fmax(std::fabs(grown) / w.amplitude, std::fabs(raised) / w.omega)};
 }
 
-// Both by Newton's method. Nothing where that does not lead straight there. Slopes that are off by a step leave that share of the
-// next one: where this is nothing, they are not computed again.
+// Both by Newton's method. Nothing where that does not lead straight there. Slopes of the wave before are off by about the step; they
+// are kept where that share of what is left is no more than rounding.
 std::optional<LoadedWave> Holding::by_newton(LoadedWave w, Sought sought) const {
   double last = kHeldRules.longest_newton;
   for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {

@@ -30,8 +30,8 @@ double TorqueLaw::amplitude(double share) const {
   const auto load = [](double angle) { return std::sin(angle) - angle * std::cos(angle); };
   // By how much V is beyond what the load takes. A load that drives a slow rotor may leave some even at pi.
   const auto beyond = [&](double angle) {
-    const double sine = std::sin(angle), carried = sine - angle * std::cos(angle);
-    return sine / angle - slow_ * carried - way * (carried / angle + steep_ * sine);
+    const double sine = std::sin(angle);
+    return sine / angle - slow_ * load(angle) - way * (load(angle) / angle + steep_ * sine);
   };
   double low = 0, high = std::numbers::pi, at_low = 1, at_high = beyond(high);
   for (int i = 0; i < kHalvings; ++i) {

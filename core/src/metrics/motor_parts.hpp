@@ -11,7 +11,7 @@ namespace twum::inline v0_1::core {
 struct MotorParts {
   /// The drive of a motor under a voltage, else null.
   static const Drive* drive(const Motor& motor) { return motor.drive(); }
-  /// The waves of a motor under a voltage: found without its running wave.
+  /// The waves of a motor under a voltage: found without its running wave, but for `auto`, whose slices follow from that of one slice.
   static const DrivenWaves& waves(const Motor& motor) { return motor.drive_->waves(); }
   /// The waves at rest of a motor under a voltage, else null: found without its running wave.
   static const WavesAtRest* at_rest(const Motor& motor) {

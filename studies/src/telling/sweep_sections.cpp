@@ -133,11 +133,12 @@ Chart map_chart(const SweepResult& answer, const SweptMetric& metric, const Colu
 Section map(const SweepResult& answer, const Columns& columns) {
   Section section{{"Map"}, {"The metric over the two variables."}};
   section.hook = "map";
-  for (const StoredColumn& variable : answer.variables)
-    if (distinct(columns.of(variable)).size() > kMostLines)
-      section.sentences.push_back(
-          {"Not every value of ", name_part(variable.name),
-           " is drawn: a picture has no room for more than " + std::to_string(kMostLines) + "."});
+  const auto is_thinned = [&](const StoredColumn& variable) {
+    return distinct(columns.of(variable)).size() > kMostLines;
+  };
+  if (std::ranges::any_of(answer.variables, is_thinned))
+    section.sentences.push_back(
+        {"Pictures draw at most " + std::to_string(kMostLines) + " values of each variable."});
   for (const SweptMetric& metric : answer.metrics)
     if (metric.count > 0) section.charts.push_back(map_chart(answer, metric, columns));
   std::ranges::stable_partition(section.charts, [](const Chart& chart) {

@@ -35,6 +35,11 @@ MotorDesign random_motor(test::Dice& dice, int index) {
   return design;
 }
 
+// Of a rotor that waves of 20 nm to 4 um carry along.
+double random_speed(test::Dice& dice, const DrivenWaves& waves) {
+  return std::min(60.0, dice.log_uniform(2e-8, 4e-6) * waves.crest_speed_per_amplitude());
+}
+
 // The first of many small steps of ln A, from the crest as fast as the rotor on, behind which the torque has reached a load: its
 // upper end. 0 if there is none.
 double first_by_small_steps(const DrivenWaves& waves, double torque, double speed, double step) {
@@ -60,8 +65,7 @@ TEST_CASE("the held wave of random motors is the first of many small steps (Y2.1
   for (int i = 0; i < 500; ++i) {
     const MotorDesign design = random_motor(dice, i);
     const DrivenWaves waves(design, {});
-    const double crest = dice.log_uniform(2e-8, 4e-6);
-    const double speed = std::min(60.0, crest * waves.crest_speed_per_amplitude());
+    const double speed = random_speed(dice, waves);
     const double torque = dice.uniform(0, 0.98) * LoadedWaves(waves, speed).plateau();
     const double above = first_by_small_steps(waves, torque, speed, kStep);
     if (above == 0) continue;
@@ -124,8 +128,7 @@ TEST_CASE("the torque of a layer that does not ring rises with the amplitude in 
     MotorDesign design = random_motor(dice, 0);
     design.layer.loss_factor = dice.log_uniform(0.02, 0.4);
     const DrivenWaves waves(design, {});
-    const double crest = dice.log_uniform(2e-8, 4e-6);
-    const double speed = std::min(60.0, crest * waves.crest_speed_per_amplitude());
+    const double speed = random_speed(dice, waves);
     const double at_crest = speed / waves.crest_speed_per_amplitude();
     const LoadedWaves loaded(waves, speed);
     if (loaded.rings(waves.omega()) || at_crest <= waves.full_contact_amplitude()) continue;
