@@ -63,6 +63,9 @@ TEST_CASE("temperatures of one warm-up without noise give conductances and capac
       "stator_heat_capacity: 40 J/K, housing_heat_capacity: 80 J/K}";
   const Run run(one.file(csv));
   CHECK(run.answer.outcome == "fitted");
+  // Of readings of some 300 K.
+  for (const CalibrateResult::ColumnScatter& column : run.result().columns)
+    CHECK(column.deviation <= 1e-4);
   // A course is followed to 1e-7 of its rises at least, times the condition of the columns, below 1e3.
   REQUIRE(run.result().estimates.size() == sought.size());
   for (std::size_t j = 0; j < sought.size(); ++j)

@@ -22,6 +22,18 @@ Trig<S> trig(const S& theta) {
   return trig_of(twum::sincos(theta));
 }
 
+/// With derivatives, from what is known of the value.
+template <typename T, int N>
+Trig<Dual<T, N>> trig_near(const Dual<T, N>& theta, const Trig<T>& at) {
+  using twum::detail::chain;
+  return {chain(theta, at.sin, at.cos), chain(theta, at.cos, T(-at.sin)),
+          chain(theta, at.versine, at.sin)};
+}
+template <typename T, int N>
+Trig<Dual<T, N>> trig(const Dual<T, N>& theta) {
+  return trig_near(theta, trig(theta.v));
+}
+
 /// A phase of the wave.
 template <typename S>
 struct Phase {

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace twum::inline v0_1 {
 namespace {
@@ -250,15 +251,30 @@ MotorDesign with(const MotorDesign& design, Parameter parameter, double value) {
   return with(design, one);
 }
 
+namespace {
+
+// Every point asks this of every parameter. With the row known to the compiler it takes a third of the time.
+template <std::size_t row>
+void check_range(const MotorDesign& design, std::vector<std::string>& complaints) {
+  constexpr ParameterPlace place = kPlaces[row];
+  if (place.plate && design.stator.geometry) return;
+  const double value = place.get(design);
+  if (kRanges[row].holds(value) || !in_use(place, design, value)) return;
+  complaints.push_back(std::string(kTable[row].name) + " " +
+                       complaint(kTable[row].parameter, value));
+}
+
+template <std::size_t... rows>
+void check_ranges(const MotorDesign& design, std::vector<std::string>& complaints,
+                  std::index_sequence<rows...>) {
+  (check_range<rows>(design, complaints), ...);
+}
+
+}  // namespace
+
 std::vector<std::string> complaints(const MotorDesign& design) {
   std::vector<std::string> found;
-  for (std::size_t i = 0; i < kParameterCount; ++i) {
-    const ParameterPlace& place = kPlaces[i];
-    if (place.plate && design.stator.geometry) continue;
-    const double value = place.get(design);
-    if (kRanges[i].holds(value) || !in_use(place, design, value)) continue;
-    found.push_back(std::string(kTable[i].name) + " " + complaint(kTable[i].parameter, value));
-  }
+  check_ranges(design, found, std::make_index_sequence<kParameterCount>());
   if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())
     found.push_back(std::move(wrong));

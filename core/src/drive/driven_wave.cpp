@@ -2,6 +2,7 @@
 #include "drive/driven_wave.hpp"
 
 #include "design/layer_properties.hpp"
+#include "model/mapped_motor.hpp"
 #include "model/track.hpp"
 
 #include <twum/base/error.hpp>
@@ -18,12 +19,6 @@ using contact::kInAmplitude;
 using contact::kInSpeed;
 using contact::MotionDual;
 
-ModelArray<MotionDual> constants(const ModelArray<double>& values) {
-  ModelArray<MotionDual> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = MotionDual(values[i]);
-  return p;
-}
-
 // The model needs an amplitude, but does not depend on its value.
 ModelArray<double> wave_values(const MotorDesign& design) {
   ModelArray<double> values = model_values(design);
@@ -31,13 +26,8 @@ ModelArray<double> wave_values(const MotorDesign& design) {
   return values;
 }
 
-StatorModes<double> modes_of(const MotorDesign& design) {
-  return stator_modes(design).value_or(StatorModes<double>{});
-}
-
 // Theta u_f (D6.1) [N]; zero without a voltage.
-double drive_force(const MotorDesign& design) {
-  const StatorModes<double> modes = modes_of(design);
+double drive_force(const MotorDesign& design, const StatorModes<double>& modes) {
   return std::numbers::sqrt2 * design.stator.voltage.value_or(0) * modes.force_factor *
          modes.unequal.share();
 }
@@ -76,9 +66,9 @@ double reach_of(const MotorModel<double>& m) {
 
 DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
     : model_(motor_model(wave_values(design), track)),
-      dual_model_(motor_model(constants(wave_values(design)), track)),
-      modes_(modes_of(design)),
-      drive_(drive_force(design)),
+      dual_model_(mapped<MotionDual>(model_, [](double x) { return MotionDual(x); })),
+      modes_(stator_modes(design).value_or(StatorModes<double>{})),
+      drive_(drive_force(design, modes_)),
       omega_(2 * std::numbers::pi * drive_frequency(design)),
       resonance_(resonance_of(modes_)),
       reach_(reach_of(model_)) {
@@ -109,11 +99,13 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
 
 // The viscosity of a loss factor goes with 1 / omega.
 DrivenMotor<MotionDual> DrivenWaves::moving_motor(const MotionDual& amplitude,
-                                                  const MotionDual& omega) const {
-  if (!loss_factor_ || omega.d[kInSpeed] == 0) return driven(dual_model_, {amplitude, omega});
+                                                  const MotionDual& omega,
+                                                  std::optional<double> half_angle) const {
+  if (!loss_factor_ || omega.d[kInSpeed] == 0)
+    return driven(dual_model_, {amplitude, omega}, half_angle);
   MotorModel<MotionDual> model = dual_model_;
   model.viscosity.d[kInSpeed] = -model.viscosity.v / omega.v;
-  return driven(model, {amplitude, omega});
+  return driven(model, {amplitude, omega}, half_angle);
 }
 
 DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amplitude,
@@ -123,7 +115,7 @@ DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amp
                    omega =
                        in_frequency ? MotionDual::variable(omega_, kInSpeed) : MotionDual(omega_);
   MovingPoint moving =
-      point.moving(moving_motor(a, omega),
+      point.moving(moving_motor(a, omega, point.half_angle),
                    in_frequency ? MotionDual(speed) : MotionDual::variable(speed, kInSpeed));
   const PointNumbers<MotionDual>& n = moving.numbers;
   const auto modes = constant_modes<MotionDual>(modes_);

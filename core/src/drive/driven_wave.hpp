@@ -74,6 +74,7 @@ class DrivenWaves {
     /// dA / dOmega along H(A, Omega) = Theta u_0 (D2.9).
     double amplitude_per_speed() const;
   };
+  /// @param point  solved at this amplitude and speed
   MovingWave moving(const SolvedPoint& point, double amplitude, double speed,
                     Continued along = Continued::speed) const;
   /// With derivatives in amplitude.
@@ -105,7 +106,10 @@ class DrivenWaves {
                          wave_balance(modes_, amplitude, omega_, n.reactive_force, n.stator_power),
                          amplitude, omega_);
   }
-  DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
+  /// @param half_angle  theta_L of one slice, if it is known
+  DrivenMotor<double> motor(double amplitude, std::optional<double> half_angle = {}) const {
+    return driven(model_, {amplitude, omega_}, half_angle);
+  }
   Stability stability(const SlopedWave& wave) const;
 
   /// The track is split where zones begin.
@@ -143,7 +147,8 @@ class DrivenWaves {
  private:
   DrivenWave wave_of(const SolvedPoint& point, double amplitude, double speed) const;
   DrivenMotor<contact::MotionDual> moving_motor(const contact::MotionDual& amplitude,
-                                                const contact::MotionDual& omega) const;
+                                                const contact::MotionDual& omega,
+                                                std::optional<double> half_angle) const;
 
   MotorModel<double> model_;
   MotorModel<contact::MotionDual> dual_model_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "held/holding.hpp"
 
+#include "held/torque_law.hpp"
 #include "point/operating_point.hpp"
 #include "point/slice_count.hpp"
 
@@ -14,95 +15,108 @@
 #include <utility>
 
 namespace twum::inline v0_1::core {
-
 Holding::Holding(const MotorDesign& design, const TrackRule& track, double speed,
                  DriveControl control)
-    : modes_(stator_modes(design)),
-      waves_(design, track),
+    : waves_(design, track),
+      modes_(has_modal_data(design) ? &waves_.modes() : nullptr),
       loaded_(waves_, speed),
       speed_(speed),
       control_(control) {}
 
+FirstWave Holding::first(Sought sought) const {
+  if (!follows_by_frequency()) return {loaded_, {waves_.omega()}};
+  return {loaded_, {waves_.omega(), sought == Sought::drive ? waves_.drive() : 0}};
+}
+
 HeldPoint Holding::held(double torque, Sought sought) {
   const double most = loaded_.plateau();
   const bool transmitted = std::fabs(torque) < kHeldRules.reach * most;
-  if (!transmitted && !waves_.has_static_excess())
+  if (!transmitted && !loaded_.jumps())
     return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
   loaded_.carry(torque);
-  if (waves_.has_static_excess()) return scanned(sought);
-  auto wave = straight(sought);
+  const FirstWave wanted = first(sought);
+  if (loaded_.jumps()) return scanned(wanted, sought);
+  auto wave = straight(wanted);
   if (!wave && sought == Sought::drive && follows_by_frequency()) wave = out_of_voltage();
-  if (!wave) return scanned(sought);
+  if (!wave) return scanned(wanted, sought);
   last_ = std::move(wave);
   return drive_of(*last_, sought);
 }
 
 // The wave with R = 0, if it needs all the voltage there is or more, but for rounding: where there is just enough, (Y2.3) is singular.
 std::optional<LoadedWave> Holding::out_of_voltage() const {
-  auto least = straight(Sought::least_voltage);
+  auto least = straight(first(Sought::least_voltage));
   const double enough = waves_.drive() * (1 - kHeldRules.settled);
   return least && least->force.force() > enough ? std::move(least) : std::nullopt;
 }
 
 // By Newton's method from the wave of the torque before, or from a likely one. Nothing where that does not lead straight to the first
 // wave that carries the load, on the flank of the stator's own resonance.
-std::optional<LoadedWave> Holding::straight(Sought sought) const {
+std::optional<LoadedWave> Holding::straight(const FirstWave& first) const {
   const LoadedWave* const below = last_ ? &*last_ : nullptr;
-  auto wave = last_ && leads_on(*last_) ? from(*last_, sought) : std::nullopt;
-  if (!wave) wave = from_likely(sought);
+  auto wave = last_ && leads_on(*last_) ? from(*last_, first) : std::nullopt;
+  if (!wave) wave = from_likely(first);
   if (!wave || (follows_by_frequency() && !is_on_own_side(wave->omega))) return {};
-  return loaded_.is_first(*wave, below) ? std::move(wave) : std::nullopt;
+  return first.is(*wave, below) ? std::move(wave) : std::nullopt;
 }
 
-// A layer that rings may have waves at several frequencies for one load. Which one is found must not depend on the load before.
+// A layer that rings may have waves at several frequencies for one load. Which one Newton's method finds must not depend on the load
+// before.
 bool Holding::leads_on(const LoadedWave& last) const {
   return !follows_by_frequency() || !loaded_.rings(last.omega);
 }
 
-// At another frequency the likely amplitude is that of a crest as fast.
-std::optional<LoadedWave> Holding::from_likely(Sought sought) const {
-  const double amplitude = loaded_.likely_amplitude(waves_.omega());
-  const double omega = follows_by_frequency() ? likely_omega(amplitude, sought) : waves_.omega();
-  auto likely = loaded_.likely(amplitude * waves_.omega() / omega, omega);
-  return likely ? from(std::move(*likely), sought) : std::nullopt;
+std::optional<LoadedWave> Holding::from_likely(const FirstWave& first) const {
+  const LikelyWave wave = likely_wave(first.path());
+  auto likely = loaded_.likely(wave.amplitude, wave.omega);
+  return likely ? from(std::move(*likely), first) : std::nullopt;
 }
 
-std::optional<LoadedWave> Holding::from(LoadedWave wave, Sought sought) const {
-  return follows_by_frequency() ? by_newton(std::move(wave), sought)
-                                : loaded_.solve({std::move(wave), {}, {}});
+std::optional<LoadedWave> Holding::from(LoadedWave wave, const FirstWave& first) const {
+  return follows_by_frequency() ? by_newton(std::move(wave), first.path())
+                                : first.solve({std::move(wave), {}, {}});
 }
 
-HeldPoint Holding::scanned(Sought sought) const {
-  auto [reached, lost] = loaded_.first_reached(waves_.omega());
+HeldPoint Holding::scanned(const FirstWave& first, Sought sought) const {
+  auto [reached, lost] = first.reached();
   if (!reached)
     return lost ? without_wave(HeldStatus::no_periodic_state)
                 : without_wave(HeldStatus::torque_out_of_reach,
                                std::copysign(loaded_.plateau(), loaded_.torque()));
   if (follows_by_frequency())
-    if (const auto held = by_newton(reached->near, sought)) return drive_of(*held, sought);
-  auto wave = loaded_.solve(std::move(*reached));
-  if (!wave) return without_wave(HeldStatus::no_periodic_state);
-  return follows_by_frequency() ? at_frequency(std::move(*wave), sought) : held_point_of(*wave);
+    if (const auto held = by_newton(reached->near, first.path()); held && reached->encloses(*held))
+      return drive_of(*held, sought);
+  const auto wave = first.solve(std::move(*reached));
+  return wave ? drive_of(*wave, sought) : without_wave(HeldStatus::no_periodic_state);
 }
 
-// (Y2.3) of the likely wave, on which the contact acts by its pressure, and from which it takes what the load would at the speed
-// of the crest.
-double Holding::likely_omega(double amplitude, Sought sought) const {
-  const double power = std::fabs(loaded_.torque()) * waves_.crest_speed_per_amplitude() * amplitude;
+// At a frequency nearby the crest is as fast. Far from that of the design once more from there.
+Holding::LikelyWave Holding::likely_wave(const WavePath& path) const {
+  const double designed = path.omega, amplitude = loaded_.likely_amplitude(designed);
+  if (!path.drive) return {amplitude, designed};
+  const double omega = likely_omega({amplitude, designed}, path);
+  if (std::fabs(omega - designed) <= kHeldRules.nearby * designed)
+    return {amplitude * designed / omega, omega};
+  const double there = loaded_.likely_amplitude(omega), last = likely_omega({there, omega}, path);
+  return {there * omega / last, last};
+}
+
+// (Y2.3) for a wave whose contact takes what the load would at the speed of the crest.
+double Holding::likely_omega(const LikelyWave& wave, const WavePath& path) const {
+  const DrivenWaves there = waves_.at_frequency(wave.omega);
+  const DrivenMotor<double> motor = there.motor(wave.amplitude);
+  const double power = std::fabs(loaded_.torque()) * motor.mean.crest_velocity / motor.mean.radius;
+  const double force = motor.mean.pressure_force +
+                       likely_traction(motor, speed_, loaded_.torque() / loaded_.plateau());
   LoadedWave likely;
-  likely.force =
-      waves_.balance({0, power, 0, 0, 0, waves_.motor(amplitude).mean.pressure_force}, amplitude);
-  const double gap = likely.force.real + flank_of(likely, sought);
-  const double square = waves_.omega() * waves_.omega() + gap / (waves_.modes().mass * amplitude);
-  return square > 0 ? std::sqrt(square) : waves_.omega();
+  likely.force = there.balance({0, power, 0, 0, 0, force}, wave.amplitude);
+  return loaded_.omega_beside(wave.omega, path.above_flank(likely), wave.amplitude);
 }
 
-Holding::Step Holding::newton_step(const LoadedWave& w, Sought sought) const {
-  const double flank = flank_of(w, sought);
-  const double turns = flank > 0 ? w.force.imaginary / flank : 0;
-  const double gap = w.force.real + flank, missing = loaded_.missing(w);
-  const double in_amplitude = w.in_amplitude.real - turns * w.in_amplitude.imaginary,
-               in_omega = w.in_omega.real - turns * w.in_omega.imaginary;
+Holding::Step Holding::newton_step(const LoadedWave& w, const WavePath& path) const {
+  const double gap = path.above_flank(w), missing = loaded_.missing(w);
+  const double in_amplitude = path.slope_above_flank(w, w.in_amplitude),
+               in_omega = path.slope_above_flank(w, w.in_omega);
   const double determinant = w.torque_in_amplitude * in_omega - w.torque_in_omega * in_amplitude;
   const double grown = (missing * in_omega + gap * w.torque_in_omega) / determinant,
                raised = (-gap * w.torque_in_amplitude - missing * in_amplitude) / determinant;
@@ -111,21 +125,23 @@ Holding::Step Holding::newton_step(const LoadedWave& w, Sought sought) const {
 
 // Both by Newton's method. Nothing where that does not lead straight there. Slopes of the wave before are off by about the step; they
 // are kept where that share of what is left is no more than rounding.
-std::optional<LoadedWave> Holding::by_newton(LoadedWave w, Sought sought) const {
+std::optional<LoadedWave> Holding::by_newton(LoadedWave w, const WavePath& path) const {
+  Step step = newton_step(w, path);
   double last = kHeldRules.longest_newton;
   for (int i = 0; i < kHeldRules.most_newtons && w.ok() && w.torque_in_amplitude > 0; ++i) {
-    const Step step = newton_step(w, sought);
     if (!(step.size < last)) return {};
-    last = step.size;
     LoadedWave next = stepped(w, step, 1);
     for (int back = 1; back <= kHeldRules.most_back && LoadedWaves::on_plateau(next); ++back)
       next = stepped(w, step, std::ldexp(1.0, -back));
     if (!next.ok()) return {};
-    next.take_slopes(w);
-    const double left = newton_step(next, sought).size;
-    if (left <= kHeldRules.settled && next.exact()) return next;
-    if (left * step.size > kHeldRules.settled) loaded_.differentiate(next);
-    w = std::move(next);
+    next.take_slopes(std::move(w));
+    Step left = newton_step(next, path);
+    if (left.size <= kHeldRules.settled && next.exact()) return next;
+    if (left.size * step.size > kHeldRules.settled) {
+      loaded_.differentiate(next);
+      left = newton_step(next, path);
+    }
+    last = step.size, step = left, w = std::move(next);
   }
   return {};
 }
@@ -135,50 +151,12 @@ LoadedWave Holding::stepped(const LoadedWave& w, const Step& step, double share)
                        LoadedWaves::accuracy_of(step.size * step.size));
 }
 
-// (Y2.3): R = -sqrt((Theta u_0)^2 - I^2) on the upper flank. Newton's method over the frequency; the amplitude follows from the
-// torque. Without enough voltage it leads to R = 0, where the least is needed.
-HeldPoint Holding::at_frequency(LoadedWave w, Sought sought) const {
-  for (int i = 0; i < kHeldRules.most_tries; ++i) {
-    loaded_.differentiate(w);
-    const double flank = flank_of(w, sought);
-    const double follows = -w.torque_in_omega / w.torque_in_amplitude;  // dA / domega
-    const double real_slope = w.in_omega.real + w.in_amplitude.real * follows,
-                 imaginary_slope = w.in_omega.imaginary + w.in_amplitude.imaginary * follows;
-    const double gap = w.force.real + flank;
-    double slope = real_slope;
-    if (flank > 0) slope -= w.force.imaginary * imaginary_slope / flank;
-    if (!(slope < 0)) slope = real_slope;  // next to R = 0 the root is steep
-    double step = -gap / slope;
-    const double room = kHeldRules.longest_in_frequency * w.omega;
-    if (std::fabs(step) > room) step = std::copysign(room, step);
-    if (std::fabs(step) <= kHeldRules.settled * w.omega) return drive_of(w, sought);
-    auto next = loaded_.solve_at_frequency(w, w.omega + step);
-    if (!next)
-      if (auto reached = loaded_.first_reached(w.omega + step).found)
-        next = loaded_.solve(std::move(*reached));
-    if (!next) return without_wave(HeldStatus::no_periodic_state);
-    w = std::move(*next);
-  }
-  return without_wave(HeldStatus::not_converged);
-}
-
-// R^2 on the flank: (Theta u_0)^2 - I^2, negative where the voltage is too low for any frequency.
-double Holding::flank_squared(const LoadedWave& w, Sought sought) const {
-  if (sought == Sought::least_voltage) return 0;
-  return waves_.drive() * waves_.drive() - w.force.imaginary * w.force.imaginary;
-}
-
-// -R there, or at the wave that needs the least voltage.
-double Holding::flank_of(const LoadedWave& w, Sought sought) const {
-  const double square = flank_squared(w, sought);
-  return square > 0 ? std::sqrt(square) : 0;
-}
-
 // The drive of a wave, which for (Y2.3) may be the one that needs the least voltage because there is not enough.
 HeldPoint Holding::drive_of(const LoadedWave& w, Sought sought) const {
   HeldPoint found = held_point_of(w);
-  if (follows_by_frequency() && flank_squared(w, sought) < 0 &&
-      found.status != HeldStatus::not_converged)
+  const bool too_low = follows_by_frequency() && sought == Sought::drive &&
+                       std::fabs(w.force.imaginary) > waves_.drive();
+  if (too_low && found.status != HeldStatus::not_converged)
     found.status = HeldStatus::voltage_too_low, found.needed = found.voltage;
   return found;
 }
@@ -199,7 +177,7 @@ HeldPoint Holding::held_point_of(const LoadedWave& w) const {
   const DrivenWaves there = waves_.at_frequency(w.omega);
   held.radial_slices = waves_.model().track.nodes;
   held.point =
-      operating_point_of(there.motor(w.amplitude), w.solved, speed_, modes_ ? &*modes_ : nullptr);
+      operating_point_of(there.motor(w.amplitude, w.solved.half_angle), w.solved, speed_, modes_);
   if (control_ == DriveControl::amplitude) return held;
   const DrivenWaves::LevelSlopes s = there.slopes_of(w.solved, w.amplitude, speed_);
   if (!there.stability(s.in_amplitude).stable()) held.status = HeldStatus::unstable_amplitude;
@@ -234,9 +212,12 @@ MotorDesign with_wave(MotorDesign design, double amplitude) {
 HeldLine::HeldLine(const MotorDesign& design, double speed, DriveControl control)
     : design_(design), speed_(speed), control_(control) {
   require_held(design, speed, control);
-  if (design.stator.radial_slices != kAutoSlices)
-    holding_.emplace(design, track_rule(with_wave(design, design.stator.amplitude)), speed,
-                     control);
+  const int slices = design.stator.radial_slices;
+  if (slices == kAutoSlices) return;
+  const TrackRule track = slices > kAutoSlices
+                              ? track_rule(design)
+                              : track_rule(with_wave(design, design.stator.amplitude));
+  holding_.emplace(design, track, speed, control);
 }
 
 HeldPoint HeldLine::held(double torque, Holding::Sought sought) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "held/loaded_wave.hpp"
+#include "held/first_wave.hpp"
 
 #include <twum/base/no_value.hpp>
 #include <twum/core/held_point.hpp>
@@ -33,32 +33,34 @@ class Holding {
   HeldPoint held(double torque, Sought sought = Sought::drive);
 
  private:
-  /// A step of Newton's method for (Y2.1) together with (Y2.3) or R = 0.
+  struct LikelyWave {
+    double amplitude, omega;
+  };
+  /// A step of Newton's method for (Y2.1) together with (Y2.3).
   struct Step {
     double amplitude, omega;
     double size;  ///< the larger of both, of themselves
   };
 
   bool follows_by_frequency() const { return control_ == DriveControl::frequency; }
-  std::optional<LoadedWave> straight(Sought sought) const;
+  FirstWave first(Sought sought) const;
+  std::optional<LoadedWave> straight(const FirstWave& first) const;
   bool leads_on(const LoadedWave& last) const;
-  std::optional<LoadedWave> from_likely(Sought sought) const;
-  std::optional<LoadedWave> from(LoadedWave wave, Sought sought) const;
+  std::optional<LoadedWave> from_likely(const FirstWave& first) const;
+  std::optional<LoadedWave> from(LoadedWave wave, const FirstWave& first) const;
   std::optional<LoadedWave> out_of_voltage() const;
-  HeldPoint scanned(Sought sought) const;
-  double likely_omega(double amplitude, Sought sought) const;
-  Step newton_step(const LoadedWave& w, Sought sought) const;
+  HeldPoint scanned(const FirstWave& first, Sought sought) const;
+  LikelyWave likely_wave(const WavePath& path) const;
+  double likely_omega(const LikelyWave& wave, const WavePath& path) const;
+  Step newton_step(const LoadedWave& w, const WavePath& path) const;
   LoadedWave stepped(const LoadedWave& w, const Step& step, double share) const;
-  std::optional<LoadedWave> by_newton(LoadedWave w, Sought sought) const;
-  HeldPoint at_frequency(LoadedWave w, Sought sought) const;
-  double flank_squared(const LoadedWave& w, Sought sought) const;
-  double flank_of(const LoadedWave& w, Sought sought) const;
+  std::optional<LoadedWave> by_newton(LoadedWave w, const WavePath& path) const;
   HeldPoint drive_of(const LoadedWave& w, Sought sought) const;
   bool is_on_own_side(double omega) const;
   HeldPoint held_point_of(const LoadedWave& w) const;
 
-  std::optional<StatorModes<double>> modes_;
   DrivenWaves waves_;
+  const StatorModes<double>* modes_;  // of waves_; null without modal data
   LoadedWaves loaded_;
   double speed_;
   DriveControl control_;

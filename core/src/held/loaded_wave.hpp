@@ -39,6 +39,10 @@ struct HeldRules {
   /// Newton's steps for amplitude and frequency together, and the longest of them, of themselves.
   int most_newtons = 12;
   double longest_newton = 0.5;
+  /// Of the design's frequency: so far from it a likely wave is as good with a crest as fast.
+  double nearby = 0.03;
+  /// Last step of the frequency, of itself, of a wave that only leads to others.
+  double beside_flank = 3e-3;
   /// Largest step of the frequency, of itself.
   double longest_in_frequency = 0.05;
   /// A likely amplitude is right to some per cent, so that it may lie on the plateau, where no slope leads back: by what part of
@@ -54,6 +58,7 @@ struct LoadedWave {
   double accuracy{0};  ///< of the layer's states, as find_periodic_state()
   SolvedPoint solved;
   double torque{0};
+  double root{0};                   ///< cube root of T_p - T
   WaveBalance<double> force{0, 0};  ///< R and I of the drive's force (D2.3)
   /// Of a wave that is differentiated. @{
   double torque_in_amplitude{0}, torque_in_omega{0};
@@ -64,7 +69,7 @@ struct LoadedWave {
   bool ok() const { return solved.status == PointStatus::ok; }
   bool exact() const { return accuracy == 0; }
   /// Takes the derivatives of a wave next to it.
-  void take_slopes(const LoadedWave& near);
+  void take_slopes(LoadedWave&& near);
 };
 
 /// A motor at one speed under one load, whose drive follows.
@@ -78,11 +83,18 @@ class LoadedWaves {
   double torque() const { return torque_; }
   /// Torque of a contact that slips and drives all through, the largest with mu_0 = mu.
   double plateau() const { return plateau_; }
+  /// Cube root of what the load leaves of it.
+  double root() const { return root_; }
 
   /// A wave without its derivatives; `near` is one that has them.
   LoadedWave found(double amplitude, double omega, const LoadedWave* near = nullptr,
                    double accuracy = 0) const;
   void differentiate(LoadedWave& wave) const;
+  /// Both.
+  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr,
+                double accuracy = 0) const;
+  /// Moves a wave that is differentiated to another frequency, to first order.
+  void move(LoadedWave& wave, double omega_step) const;
   /// How well the layer's states of a wave have to be known.
   /// @param off  what Newton's method leaves of it: the square of its step, of itself
   static double accuracy_of(double off) { return off > kHeldRules.crude ? kHeldRules.crude : 0; }
@@ -98,40 +110,18 @@ class LoadedWaves {
   double likely_amplitude(double omega) const;
   /// The layer's own oscillation outlives a contact: C < 1.5 M.
   bool rings(double omega) const;
-  /// True if no smaller amplitude of its frequency carries the load, too.
-  /// @param lower  the first wave that carries another load; null if none is known
-  bool is_first(const LoadedWave& wave, const LoadedWave* lower) const;
-
-  /// Where the torque reaches the load as the amplitude rises.
-  struct Reached {
-    LoadedWave near;                      ///< from here Newton's method leads to the load
-    std::optional<LoadedWave> low, high;  ///< waves that carry less and more, where they are known
-  };
-  /// Nothing if no amplitude carries the load; `lost` then says whether amplitudes without a periodic state were passed by.
-  struct Search {
-    std::optional<Reached> found;
-    bool lost{false};
-  };
-  Search first_reached(double omega) const;
-  /// The wave there that carries the load (Y2.1), with the slopes of one next to it; nothing where the torque jumps past it, or has no
-  /// periodic state.
-  std::optional<LoadedWave> solve(Reached ends) const;
-  /// The wave that carries the load at another frequency, from one that is known; nothing if Newton's method leads elsewhere.
-  std::optional<LoadedWave> solve_at_frequency(const LoadedWave& known, double omega) const;
+  /// T(A) is known to rise up to its plateau.
+  bool surely_rises(double omega) const;
+  /// mu_0 > mu: T(A) jumps.
+  bool jumps() const { return waves_.has_static_excess(); }
+  /// A of the wave whose crest is as fast as the rotor [m].
+  double crest_amplitude(double omega) const {
+    return speed_ / waves_.at_frequency(omega).crest_speed_per_amplitude();
+  }
+  /// The frequency at which a force, apart from that of the wave's own mass, is less by `gap` [rad/s].
+  double omega_beside(double omega, double gap, double amplitude) const;
 
  private:
-  LoadedWave at(double amplitude, double omega, const LoadedWave* near = nullptr,
-                double accuracy = 0) const;
-  LoadedWave below_load(double omega) const;
-  bool surely_rises(double omega) const;
-  bool is_even(const LoadedWave& low, const LoadedWave& high) const;
-  bool stays_below(const LoadedWave& low, const LoadedWave& high) const;
-  double next_step(const LoadedWave& from) const;
-  std::optional<LoadedWave> peak_between(const LoadedWave& low, const LoadedWave& high) const;
-  Reached between(LoadedWave low, LoadedWave high) const;
-  double on_cubic(const LoadedWave& p, const LoadedWave& q) const;
-  double towards_load(const LoadedWave& near, const LoadedWave* before, const Reached& ends) const;
-
   const DrivenWaves& waves_;
   double speed_, plateau_;
   double torque_{0};

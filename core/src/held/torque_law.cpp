@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "held/torque_law.hpp"
 
+#include "contact/load_shape.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +42,14 @@ double TorqueLaw::amplitude(double share) const {
   }
   const double angle = at_high < 0 ? low + (high - low) * at_low / (at_low - at_high) : high;
   return soft_ / load(angle) * std::exp(-0.25 * rings_ * (1 + 2 * share));
+}
+
+double likely_traction(const DrivenMotor<double>& m, double speed, double share) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, speed);
+  const double stuck = n.stick_rate / (2 * std::numbers::pi) *
+                       (n.half_angle - n.edge.sin * n.edge.cos -
+                        2 * n.speed_ratio * contact::load_shape(n.half_angle, n.edge));
+  return (1 - share) * stuck * m.mean.force_scale;
 }
 
 }  // namespace twum::inline v0_1::core

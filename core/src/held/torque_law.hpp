@@ -23,4 +23,7 @@ class TorqueLaw {
   double rings_;  ///< root of M
 };
 
+/// Force of the traction in phase with the wave, of a contact that carries a share of T_p (Y2.8) [N].
+double likely_traction(const DrivenMotor<double>& motor, double speed, double share);
+
 }  // namespace twum::inline v0_1::core

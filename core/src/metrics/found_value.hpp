@@ -26,4 +26,10 @@ MetricValue found_value(Find find) {
   }
 }
 
+/// The way back: the number, or a SearchFailure.
+inline double known(const MetricValue& found) {
+  if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
+  return found.value;
+}
+
 }  // namespace twum::inline v0_1::core

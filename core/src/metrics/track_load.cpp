@@ -2,6 +2,7 @@
 #include "metrics/track_load.hpp"
 
 #include "curve/curve.hpp"
+#include "metrics/found_value.hpp"
 #include "point/slice_count.hpp"
 
 #include <twum/core/metrics.hpp>
@@ -40,11 +41,6 @@ std::optional<SolvedLoad> near_speed(const MotorDesign& design, double torque, d
     speed += step;
   }
   return {};
-}
-
-double known(const MetricValue& found) {
-  if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
-  return found.value;
 }
 
 // Speed and wave of a load, from a search of its own.

@@ -2,6 +2,7 @@
 #include "metrics/wear_rates.hpp"
 
 #include "curve/curve.hpp"
+#include "metrics/found_value.hpp"
 #include "metrics/heat_sensitivity.hpp"
 
 #include <cmath>
@@ -15,11 +16,6 @@ using M = Metric;
 using P = Parameter;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-double known(const MetricValue& found) {
-  if (found.status != MetricStatus::ok) throw SearchFailure{found.status};
-  return found.value;
-}
 
 MetricDerivative known(const MetricDerivative& found) {
   if (found.value.status != MetricStatus::ok) throw SearchFailure{found.value.status};

@@ -30,17 +30,22 @@ Slice<T> mapped(const Slice<S>& s, F c) {
           c(s.radial)};
 }
 
-/// A motor with its numbers in another scalar.
+/// A model or a motor with its numbers in another scalar.
 /// @param c  the number in that scalar
+/// @{
+template <typename T, typename S, typename F>
+MotorModel<T> mapped(const MotorModel<S>& m, F c) {
+  MotorModel<T> r{c(m.n),       c(m.r),          c(m.b),       c(m.kappa),          c(m.tilt),
+                  c(m.youngs),  c(m.thickness),  c(m.shear),   c(m.viscosity),      c(m.inertia),
+                  c(m.kinetic), c(m.threshold),  c(m.preload), c(m.stator_damping), {},
+                  c(m.slope),   c(m.compliance), m.track};
+  std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
+  return r;
+}
 template <typename T, typename S, typename F>
 DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
   DrivenMotor<T> r;
-  static_cast<MotorModel<T>&>(r) = {
-      c(m.n),       c(m.r),          c(m.b),       c(m.kappa),          c(m.tilt),
-      c(m.youngs),  c(m.thickness),  c(m.shear),   c(m.viscosity),      c(m.inertia),
-      c(m.kinetic), c(m.threshold),  c(m.preload), c(m.stator_damping), {},
-      c(m.slope),   c(m.compliance), m.track};
-  std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
+  static_cast<MotorModel<T>&>(r) = mapped<T>(static_cast<const MotorModel<S>&>(m), c);
   r.mean = mapped<T>(m.mean, c);
   r.omega = c(m.omega), r.lever = c(m.lever), r.holding_lever = c(m.holding_lever);
   r.indentation = c(m.indentation);
@@ -49,5 +54,6 @@ DrivenMotor<T> mapped(const DrivenMotor<S>& m, F c) {
   for (const Slice<S>& s : m.annulus) r.annulus.push_back(mapped<T>(s, c));
   return r;
 }
+/// @}
 
 }  // namespace twum::inline v0_1::core

@@ -174,27 +174,43 @@ struct DrivenMotor : MotorModel<S> {
   }
 };
 
-// theta_L in S: found in double, its derivatives by the implicit function theorem (T3.2).
+/// theta_L (T3.2) with its sine, cosine and versine, which the tangential contact takes, too.
 template <typename S>
-S contact_angle(const S& load) {
-  using std::cos, std::sin;
-  const double root = contact_half_angle(value_of(load));
-  S angle(root);
-  if (root == 0) return angle;
-  for (int i = 0; i < kDualDepth<S>; ++i) {
-    const S excess = sin(angle) - angle * cos(angle) - load;
-    angle = with_value(S(angle - with_value(excess, 0.0) / (angle * sin(angle))), root);
-  }
-  return angle;
+struct ContactEdge {
+  S angle;
+  contact::Trig<S> at;
+};
+
+/// @param known  the angle, if it is known; else it is solved for
+inline ContactEdge<double> contact_edge(double load, std::optional<double> known) {
+  const double angle = known ? *known : contact_half_angle(load);
+  return {angle, contact::trig(angle)};
+}
+/// Derivatives by the implicit function theorem.
+template <typename T, int N>
+ContactEdge<Dual<T, N>> contact_edge(const Dual<T, N>& load, std::optional<double> known) {
+  const ContactEdge<T> edge = contact_edge(load.v, known);
+  const T slope = value_of(edge.angle) > 0 ? T(1.0 / (edge.angle * edge.at.sin)) : T(0.0);
+  const Dual<T, N> angle = twum::detail::chain(load, edge.angle, slope);
+  return {angle, contact::trig_near(angle, edge.at)};
 }
 
-/// Normal contact of a wave pressed by `preload` (T3.1, T3.2, T3.4), full contact included (T3.3).
+/// A normal contact, and sine, cosine and versine of its edge.
 template <typename S>
-NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const S& kappa,
-                                const S& pressure_amplitude) {
+struct EdgedContact {
+  NormalContact<S> contact;
+  contact::Trig<S> edge;
+};
+
+/// Normal contact of a wave pressed by `preload` (T3.1, T3.2, T3.4), full contact included (T3.3).
+/// @param half_angle  of a partial contact, if it is known
+template <typename S>
+EdgedContact<S> normal_contact(const S& preload, const S& n, const S& b, const S& kappa,
+                               const S& pressure_amplitude, std::optional<double> half_angle) {
   constexpr double kPi = std::numbers::pi;
   const S mean_pressure = preload * kappa / (2 * kPi * n * b);
-  NormalContact<S> c;
+  EdgedContact<S> result{{}, {S(0.0), S(-1.0), S(2.0)}};
+  auto& [c, edge] = result;
   c.pressure_amplitude = pressure_amplitude;
   c.load_ratio = mean_pressure / pressure_amplitude;
   c.full = !(value_of(mean_pressure) < value_of(pressure_amplitude));
@@ -203,14 +219,15 @@ NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const 
     c.edge_cosine = -c.load_ratio;
     c.max_pressure = pressure_amplitude + mean_pressure;
   } else {
-    c.half_angle = contact_angle(S(kPi * mean_pressure / pressure_amplitude));
-    const contact::Trig<S> edge = contact::trig(c.half_angle);
+    const ContactEdge<S> found =
+        contact_edge(S(kPi * mean_pressure / pressure_amplitude), half_angle);
+    c.half_angle = found.angle, edge = found.at;
     c.edge_cosine = edge.cos;
     c.max_pressure = pressure_amplitude * edge.versine;
   }
   c.half_length = c.half_angle / kappa;
   c.ratio = c.half_angle / (2 * kPi);
-  return c;
+  return result;
 }
 
 /// Coefficients of l_k(x) of (P8.1), from that of x on.
@@ -277,9 +294,9 @@ S pressure_force(const Slice<S>& s) {
   return s.shape * (0.5 * s.load * (c.half_angle * s.edge.sin * s.edge.sin / g - s.edge.cos));
 }
 
-/// A slice whose normal contact and edge are known, with what the tangential contact takes of them.
+/// Of a slice whose normal contact and edge are known: what the tangential contact takes of them.
 template <typename S>
-Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
+void complete(Slice<S>& s, const MotorModel<S>& m) {
   s.stick_gain =
       m.shear * s.crest_velocity / (thickness_at(m, s.radius) * s.contact.pressure_amplitude);
   s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
@@ -289,7 +306,6 @@ Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
   s.torque_scale = circumference * s.radius * s.width * P;
   s.power_scale = circumference * s.width * P * s.crest_velocity;
   s.force_scale = circumference * s.width * (m.tilt * (m.r / s.radius)) * P * s.shape;
-  return s;
 }
 
 /// The motor whose contact at the mean radius alone is known, with that of the whole annulus (W2.1 to W2.4).
@@ -321,19 +337,20 @@ bool is_trivial(const DrivenMotor<S>& m) {
 }
 
 /// The motor under a wave: solves the normal contact.
+/// @param half_angle  theta_L at the mean radius, if it is known
 template <typename S>
-DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
+DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave,
+                      std::optional<double> half_angle = {}) {
   DrivenMotor<S> m;
   static_cast<MotorModel<S>&>(m) = model;
   m.mean.amplitude = wave.amplitude, m.omega = wave.omega;
   m.mean.crest_velocity = m.tilt * m.mean.amplitude * m.omega;
   const S P = m.youngs * m.mean.amplitude / m.thickness;
-  m.mean.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
+  const EdgedContact<S> pressed = normal_contact(m.preload, m.n, m.b, m.kappa, P, half_angle);
+  m.mean.contact = pressed.contact, m.mean.edge = pressed.edge;
   m.mean.radius = m.r, m.mean.width = m.b, m.mean.shape = S(1.0);
   m.mean.load = m.preload, m.mean.share = S(1.0);
-  m.mean.edge = m.mean.contact.full ? contact::Trig<S>{S(0.0), S(-1.0), S(2.0)}
-                                    : contact::trig(m.mean.contact.half_angle);
-  m.mean = completed<S>(m.mean, m);
+  complete<S>(m.mean, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
   if (contact::kHasRadialMotion && m.track.radial) m.mean.radial = radial_ratio<S>(m, m.r);
   if (m.track.nodes == 1) return m;

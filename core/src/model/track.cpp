@@ -129,12 +129,7 @@ Pressed<S> pressed_without_wave(const DrivenMotor<S>& m) {
           S(fall * (length - 0.5 * m.b))};
 }
 
-// Normal contact of a crest `depth` deep in the layer (W2.2), and its edge.
-template <typename S>
-struct EdgedContact {
-  NormalContact<S> contact;
-  contact::Trig<S> edge;
-};
+// Normal contact of a crest `depth` deep in the layer (W2.2).
 template <typename S>
 EdgedContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amplitude,
                            const S& depth, const S& thickness) {
@@ -230,7 +225,8 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   s.contact = c.contact, s.edge = c.edge;
   if (contact::kHasRadialMotion && m.track.radial) s.radial = radial_ratio<S>(m, radius);
   s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
-  return completed<S>(s, m);
+  complete<S>(s, m);
+  return s;
 }
 
 namespace {

@@ -283,6 +283,7 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmS
   if (m.annulus.empty()) {
     status = status_of(m, first_);
     numbers = numbers_of(m, m.mean, first_, speed);
+    half_angle = m.mean.contact.half_angle;
     return;
   }
   const LayerMotion<double> layer = layer_of(m, speed);

@@ -154,6 +154,7 @@ class SolvedPoint {
   PointStatus status{PointStatus::ok};
   /// Trivial or locked at rest: in closed form, no periodic state behind it.
   bool special{false};
+  std::optional<double> half_angle;  ///< theta_L of a motor that is one slice [rad]
 
   /// The whole contact slips one way.
   bool slips_one_way() const;

@@ -144,16 +144,17 @@ TrackRule track_rule(const MotorDesign& design) {
 #ifndef __wasm__  // see worn_track()
   if (design.wear && !design.wear->deviations.empty()) return worn_track_rule(design);
 #endif
+  TrackRule rule{std::abs(stator.radial_slices),
+                 table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
+                 stator.geometry.has_value(), false, stator.radial_motion};
+  if (stator.radial_slices > kAutoSlices) return rule;
   const ModelArray<double> values = model_values(design);
   const bool jumps = design.friction.threshold > design.friction.kinetic;
   // The jumps of a surface that moves radially are not followed.
   const bool stays_whole =
       jumps &&
       (stator.radial_motion || remembers_long(driven(motor_model(values), design_wave(values))));
-  TrackRule rule{std::abs(stator.radial_slices),
-                 table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
-                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole,
-                 stator.radial_motion};
+  rule.splits = !stays_whole;
   // A motor under a voltage has no wave here; Drive asks again with one.
   if (rule.splits && !stator.voltage && is_laborious(values)) {
     rule.splits = false;

@@ -72,7 +72,8 @@ Headline headline_of(const CalibrateResult& answer, const StudyResult& result) {
     doubtful = doubtful || !estimate_remark(answer, e).empty();
   }
   append(first, {strong(".")});
-  Headline told{doubtful ? Look::bad : Look::good, "", {first, residual_sentence(answer)}, {}};
+  Headline told{doubtful ? Look::bad : Look::good, "", {first}, {}};
+  if (!answer.exact) told.sentences.push_back(residual_sentence(answer));
   for (const std::string& note : calibration_notes(answer)) told.remarks.push_back({note});
   return told;
 }

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 using namespace twum;
 using namespace twum::core;
@@ -119,6 +121,23 @@ TEST_CASE("the torque law is close to the waves of usual elastic layers (Y2.7)",
   }
 }
 
+TEST_CASE("the force of the traction is close to that of usual elastic layers (Y2.8)",
+          "[core][held]") {
+  const MotorDesign design = test::driven_motor();
+  for (const double speed : {3.0, 9.0, 15.0})
+    for (const double share : {0.05, 0.2, 0.4, 0.6, 0.8}) {
+      const double torque = share * LoadedWaves(DrivenWaves(design, {}), speed).plateau();
+      const HeldPoint held = Holding(design, {}, speed, DriveControl::frequency).held(torque);
+      const DrivenMotor<double> motor = DrivenWaves(design, {})
+                                            .at_frequency(2 * std::numbers::pi * held.frequency)
+                                            .motor(held.amplitude);
+      const double stuck = likely_traction(motor, speed, 0);
+      CAPTURE(speed, share);
+      CHECK(held.point.reactive_force - motor.mean.pressure_force ==
+            Approx(likely_traction(motor, speed, share)).margin(0.1 * stuck));
+    }
+}
+
 TEST_CASE("the torque of a layer that does not ring rises with the amplitude in a partial contact",
           "[core][held][property]") {
   constexpr double kStep = 0.02;
@@ -145,4 +164,71 @@ TEST_CASE("the torque of a layer that does not ring rises with the amplitude in 
     ++risen;
   }
   CHECK(risen > 100);
+}
+
+namespace {
+
+// Motors under a voltage whose layers ring, every third one with mu_0 > mu.
+MotorDesign random_ringing_motor(test::Dice& dice, int index) {
+  MotorDesign design = test::driven_motor_with_layer();
+  Stator& s = design.stator;
+  s.radial_slices = 1;
+  s.resonance_frequency = dice.log_uniform(25e3, 70e3);
+  s.frequency = dice.uniform(1.005, 1.06) * *s.resonance_frequency;
+  s.modal_damping = dice.uniform(15, 80), s.voltage = dice.uniform(60, 300);
+  design.layer.thickness = dice.log_uniform(0.2e-3, 2e-3);
+  design.layer.youngs_modulus = dice.log_uniform(1e8, 3e9);
+  design.layer.density = dice.uniform(700, 3000);
+  design.layer.loss_factor = dice.log_uniform(0.01, 0.1);
+  const double kinetic = dice.uniform(0.08, 0.4);
+  design.friction = {kinetic, index % 3 == 2 ? dice.uniform(1.05, 1.5) * kinetic : kinetic};
+  design.preload = dice.log_uniform(20, 400);
+  return design;
+}
+
+// (Y2.3) by its own iteration, from an omega nearby; nothing where the voltage is too low.
+std::optional<DrivenWave> on_flank(const DrivenWaves& waves, double amplitude, double& omega,
+                                   double speed) {
+  for (int i = 0; i < 60; ++i) {
+    const DrivenWave wave = waves.at_frequency(omega).at(amplitude, speed);
+    const double drive = waves.drive(), reactive = wave.balance.imaginary;
+    if (wave.status != PointStatus::ok || std::fabs(reactive) > drive) return {};
+    const double gap = wave.balance.real + std::sqrt(drive * drive - reactive * reactive);
+    const double next = std::sqrt(omega * omega + gap / (waves.modes().mass * amplitude));
+    if (std::fabs(next - omega) <= 1e-11 * omega) return wave;
+    omega = next;
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a drive that follows by frequency holds the first wave of its flank (Y2.1, Y2.3)",
+          "[core][held][property]") {
+  constexpr double kStep = 0.02, kBelow = 0.25;
+  test::Dice dice(41);
+  int compared = 0;
+  for (int i = 0; i < 600; ++i) {
+    const MotorDesign design = random_ringing_motor(dice, i);
+    const DrivenWaves waves(design, {});
+    const double speed = dice.log_uniform(1, 20);
+    const double plateau = LoadedWaves(waves, speed).plateau();
+    const double torque = dice.uniform(0.02, 0.95) * plateau;
+    const HeldPoint held = Holding(design, {}, speed, DriveControl::frequency).held(torque);
+    if (held.status != HeldStatus::ok) continue;
+    CAPTURE(i, speed, torque, held.amplitude, held.frequency);
+    double omega = 2 * std::numbers::pi * held.frequency;
+    const auto there = on_flank(waves, held.amplitude, omega, speed);
+    REQUIRE(there);
+    CHECK(omega == Approx(2 * std::numbers::pi * held.frequency).epsilon(1e-9));
+    CHECK(std::fabs(there->torque - torque) <= 1e-9 * plateau);
+    omega *= 1.3;
+    for (double part = kBelow; part < 1 - 1e-6; part *= std::exp(kStep)) {
+      const auto wave = on_flank(waves, part * held.amplitude, omega, speed);
+      if (wave) CHECK(wave->torque < torque);
+      if (!wave) omega = 2.2 * std::numbers::pi * held.frequency;
+    }
+    ++compared;
+  }
+  CHECK(compared > 500);
 }

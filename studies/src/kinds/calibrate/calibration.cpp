@@ -31,6 +31,7 @@ class Calibration {
       : fit_(asked.fit),
         fits_(fits),
         tables_(asked.tables),
+        columns_(asked.columns),
         joined_(asked.joined),
         lost_(asked.undetermined),
         unsettled_(asked.unsettled) {
@@ -52,6 +53,7 @@ class Calibration {
       set_interval(intervals[j], best.estimates[j].high, result_.estimates[j]);
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
+    if (!columns_.empty()) tell_columns_without_scatter();
     name_outliers(best, residuals);
     test_residuals(result_, residuals, best, fit_.deviations_given(), known_deviation(best));
     compare_optima(best, residuals);
@@ -94,6 +96,18 @@ class Calibration {
     }
     for (auto& column : result_.columns)
       column.deviation /= std::sqrt(static_cast<double>(column.count));
+  }
+
+  // A column whose residuals are rounding has no deviation that a fit could find.
+  void tell_columns_without_scatter() {
+    std::vector<double> squares(result_.columns.size(), 0.0);
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      squares[columns_[i]] += result_.data[i].residual * result_.data[i].residual;
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+      CalibrateResult::ColumnScatter& column = result_.columns[k];
+      const double rms = std::sqrt(squares[k] / static_cast<double>(column.count));
+      if (rms <= MeasuredFit::kRounding * column.deviation) column.deviation = rms;
+    }
   }
 
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
@@ -348,6 +362,7 @@ class Calibration {
   const MeasuredFit& fit_;
   const std::vector<LeastSquaresResult>& fits_;
   std::vector<std::string> tables_;
+  const std::vector<std::size_t> columns_;  // as CalibrationAsked::columns
   decltype(CalibrationAsked::joined) joined_;
   decltype(CalibrationAsked::undetermined) lost_;
   std::string unsettled_;
