@@ -105,8 +105,7 @@ bool FirstWave::is_even(const LoadedWave& low, const LoadedWave& high) const {
 bool FirstWave::stays_below(const LoadedWave& low, const LoadedWave& high) const {
   if (is_even(low, high)) return true;
   if (log_step(low, high) <= kHeldRules.finest) return !has_peak(low, high);
-  const LoadedWave middle =
-      at(std::sqrt(low.amplitude * high.amplitude), &low, path_.drive ? kHeldRules.crude : 0);
+  const LoadedWave middle = at(std::sqrt(low.amplitude * high.amplitude), &low);
   return middle.ok() && middle.torque < waves_.torque() && stays_below(low, middle) &&
          stays_below(middle, high);
 }
@@ -130,7 +129,7 @@ FirstWave::Search FirstWave::reached() const {
   Search search{{}, !first.ok()};
   if (first.ok()) low = std::move(first);
   for (int i = 0; i < kHeldRules.most_steps && amplitude < farthest; ++i) {
-    LoadedWave next = at(amplitude * std::exp(step), low ? &*low : nullptr);
+    LoadedWave next = at(amplitude * std::exp(step), low ? &*low : nullptr, leading());
     if (step > kHeldRules.finest && !(next.ok() && is_even(*low, next))) {
       step = std::fmax(0.5 * step, kHeldRules.finest);
       continue;
@@ -169,9 +168,15 @@ std::optional<LoadedWave> FirstWave::peak_between(const LoadedWave& low,
   return {};
 }
 
+// The ends of the bracket are solved if they only led there.
 FirstWave::Reached FirstWave::between(LoadedWave low, LoadedWave high) const {
-  Reached ends{{}, std::move(low), std::move(high)};
-  ends.near = at(towards_load(*ends.high, &*ends.low, ends), &*ends.high);
+  Reached ends;
+  for (LoadedWave* end : {&low, &high}) {
+    if (!end->exact()) *end = at(end->amplitude, end);
+    if (end->ok()) (end->torque < waves_.torque() ? ends.low : ends.high) = *end;
+  }
+  const bool closed = ends.low && ends.high;
+  ends.near = closed ? at(towards_load(high, &low, ends), &high) : std::move(high);
   return ends;
 }
 

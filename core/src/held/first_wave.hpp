@@ -58,6 +58,8 @@ class FirstWave {
 
  private:
   LoadedWave at(double amplitude, const LoadedWave* near = nullptr, double accuracy = 0) const;
+  /// Accuracy of a wave that only leads to others: on a flank that spares solving for its frequency.
+  double leading() const { return path_.drive ? kHeldRules.crude : 0; }
   LoadedWave on_flank(double amplitude, const LoadedWave* near, double accuracy) const;
   double likely_omega(const LoadedWave& near, double amplitude) const;
   double rise(const LoadedWave& w) const { return path_.slope(w) * w.amplitude; }

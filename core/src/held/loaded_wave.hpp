@@ -12,7 +12,7 @@ struct HeldRules {
   /// ln A from wave to wave below the first that carries the torque. A step is as long as `longest` only where the torque rises or
   /// falls evenly along it; ripples of a layer that rings are longer than `finest`, jumps (mu_0 > mu) are approached by steps down
   /// to `shortest`.
-  double longest = 0.4, finest = 0.04, shortest = 2e-3;
+  double longest = 0.2, finest = 0.04, shortest = 2e-3;
   /// Even: the slopes at both ends are no more than this many times the mean slope, and no less than that part of it.
   double even = 2;
   /// Of the distance at which the torque is expected: most often it is reached then.
