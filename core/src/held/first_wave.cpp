@@ -52,7 +52,7 @@ LoadedWave FirstWave::on_flank(double amplitude, const LoadedWave* near, double 
     }
     omega += std::clamp(step, -room, room), near = &w;
   }
-  w.solved.status = w.ok() ? PointStatus::not_converged : w.solved.status;
+  w.off_flank = w.ok();
   return w;
 }
 
@@ -126,7 +126,11 @@ FirstWave::Search FirstWave::reached() const {
   double amplitude = first.amplitude, step = first.ok() ? next_step(first) : kHeldRules.finest;
   const double farthest = kHeldRules.farthest * amplitude;
   std::optional<LoadedWave> low;  // the largest so far that carries less
-  Search search{{}, !first.ok()};
+  Search search;
+  const auto miss = [&search](const LoadedWave& w) {
+    search.missed = w.off_flank ? HeldStatus::not_converged : HeldStatus::no_periodic_state;
+  };
+  if (!first.ok()) miss(first);
   if (first.ok()) low = std::move(first);
   for (int i = 0; i < kHeldRules.most_steps && amplitude < farthest; ++i) {
     LoadedWave next = at(amplitude * std::exp(step), low ? &*low : nullptr, leading());
@@ -135,8 +139,10 @@ FirstWave::Search FirstWave::reached() const {
       continue;
     }
     amplitude = next.amplitude, step = kHeldRules.finest;
-    search.lost = search.lost || !next.ok();
-    if (!next.ok()) continue;
+    if (!next.ok()) {
+      miss(next);
+      continue;
+    }
     if (next.torque >= waves_.torque()) {
       if (low) search.found = between(std::move(*low), std::move(next));
       return search;

@@ -3,6 +3,8 @@
 
 #include "held/loaded_wave.hpp"
 
+#include <twum/core/held_point.hpp>
+
 #include <optional>
 
 namespace twum::inline v0_1::core {
@@ -46,10 +48,10 @@ class FirstWave {
       return !(low && w.amplitude < low->amplitude) && !(high && w.amplitude > high->amplitude);
     }
   };
-  /// Nothing if no amplitude carries the load; `lost` then says whether amplitudes without a periodic state were passed by.
+  /// Nothing if no amplitude carries the load, or amplitudes without an answer were passed by: `missed` says which.
   struct Search {
     std::optional<Reached> found;
-    bool lost{false};
+    HeldStatus missed{HeldStatus::torque_out_of_reach};
   };
   Search reached() const;
   /// The wave there that carries the load (Y2.1), with the slopes of one next to it; nothing where the torque jumps past it, or has no

@@ -78,11 +78,11 @@ std::optional<LoadedWave> Holding::from(LoadedWave wave, const FirstWave& first)
 }
 
 HeldPoint Holding::scanned(const FirstWave& first, Sought sought) const {
-  auto [reached, lost] = first.reached();
+  auto [reached, missed] = first.reached();
   if (!reached)
-    return lost ? without_wave(HeldStatus::no_periodic_state)
-                : without_wave(HeldStatus::torque_out_of_reach,
-                               std::copysign(loaded_.plateau(), loaded_.torque()));
+    return missed == HeldStatus::torque_out_of_reach
+               ? without_wave(missed, std::copysign(loaded_.plateau(), loaded_.torque()))
+               : without_wave(missed);
   if (follows_by_frequency())
     if (const auto held = by_newton(reached->near, first.path()); held && reached->encloses(*held))
       return drive_of(*held, sought);

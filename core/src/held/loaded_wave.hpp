@@ -55,7 +55,8 @@ inline constexpr HeldRules kHeldRules{};
 /// A wave at a speed, with the derivatives of its torque and of its force from the drive in amplitude and frequency.
 struct LoadedWave {
   double amplitude{0}, omega{0};
-  double accuracy{0};  ///< of the layer's states, as find_periodic_state()
+  double accuracy{0};     ///< of the layer's states, as find_periodic_state()
+  bool off_flank{false};  ///< no frequency of (Y2.3) was found for it
   SolvedPoint solved;
   double torque{0};
   double root{0};                   ///< cube root of T_p - T
@@ -66,7 +67,7 @@ struct LoadedWave {
   MovingStates states;  ///< how the layer moves with the wave
   /// @}
 
-  bool ok() const { return solved.status == PointStatus::ok; }
+  bool ok() const { return solved.status == PointStatus::ok && !off_flank; }
   bool exact() const { return accuracy == 0; }
   /// Takes the derivatives of a wave next to it.
   void take_slopes(LoadedWave&& near);
