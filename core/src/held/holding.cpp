@@ -34,20 +34,50 @@ HeldPoint Holding::held(double torque, Sought sought) {
   if (!transmitted && !loaded_.jumps())
     return without_wave(HeldStatus::torque_out_of_reach, std::copysign(most, torque));
   loaded_.carry(torque);
-  const FirstWave wanted = first(sought);
-  if (loaded_.jumps()) return scanned(wanted, sought);
-  auto wave = straight(wanted);
-  if (!wave && sought == Sought::drive && follows_by_frequency()) wave = out_of_voltage();
-  if (!wave) return scanned(wanted, sought);
-  last_ = std::move(wave);
-  return drive_of(*last_, sought);
+  const FirstWave wanted = first(sought), least = first(Sought::least_voltage);
+  const bool by_frequency = follows_by_frequency() && sought == Sought::drive;
+  if (!loaded_.jumps()) {
+    auto wave = straight(wanted);
+    if (!wave && by_frequency) wave = near_least_voltage(straight(least), wanted);
+    if (wave) {
+      last_ = std::move(wave);
+      return drive_of(*last_, sought);
+    }
+  }
+  Scan scan = scanned(wanted);
+  const bool out_of_reach = scan.missed == HeldStatus::torque_out_of_reach;
+  if (!scan.wave && by_frequency && !out_of_reach)
+    scan.wave = near_least_voltage(scanned(least).wave, wanted);
+  if (scan.wave) return drive_of(*scan.wave, sought);
+  return without_wave(scan.missed, out_of_reach ? std::copysign(most, torque) : kNoValue);
 }
 
-// The wave with R = 0, if it needs all the voltage there is or more, but for rounding: where there is just enough, (Y2.3) is singular.
-std::optional<LoadedWave> Holding::out_of_voltage() const {
-  auto least = straight(first(Sought::least_voltage));
-  const double enough = waves_.drive() * (1 - kHeldRules.settled);
-  return least && least->force.force() > enough ? std::move(least) : std::nullopt;
+// The wave with R = 0, if it needs all the voltage there is or more, but for rounding. Where there is little more (Y2.3) is nearly
+// singular, and Newton's method needs a better start: along (Y2.1) R and I go on from that wave to the voltage.
+std::optional<LoadedWave> Holding::near_least_voltage(std::optional<LoadedWave> least,
+                                                      const FirstWave& wanted) const {
+  if (!least || least->force.force() > waves_.drive() * (1 - kHeldRules.just_enough)) return least;
+  loaded_.differentiate(*least);
+  const LoadedWave& w = *least;
+  const double follows = -w.torque_in_omega / w.torque_in_amplitude;
+  const double real = w.in_omega.real + follows * w.in_amplitude.real,
+               imaginary = w.in_omega.imaginary + follows * w.in_amplitude.imaginary;
+  const double square = real * real + imaginary * imaginary,
+               half = w.force.real * real + w.force.imaginary * imaginary,
+               missing = waves_.drive() * waves_.drive() - w.force.force() * w.force.force();
+  const double step = (std::sqrt(half * half + square * missing) - half) / square;
+  LoadedWave start = loaded_.at(w.amplitude + follows * step, w.omega + step, &w);
+  auto wave = start.ok() ? by_newton(std::move(start), wanted.path()) : std::nullopt;
+  if (!wave) return {};
+  const bool close = waves_.drive() < (1 + kHeldRules.near_least) * w.force.force();
+  const bool first =
+      !close ? wanted.is(*wave, nullptr) : loaded_.jumps() || is_first_of_frequency(*wave, nullptr);
+  return first ? std::move(wave) : std::nullopt;
+}
+
+// Where R is zero, or nearly so, the waves of a flank turn back: A falls with omega. Those of one frequency do not.
+bool Holding::is_first_of_frequency(const LoadedWave& wave, const LoadedWave* lower) const {
+  return FirstWave(loaded_, {wave.omega}).is(wave, lower);
 }
 
 // By Newton's method from the wave of the torque before, or from a likely one. Nothing where that does not lead straight to the first
@@ -57,7 +87,9 @@ std::optional<LoadedWave> Holding::straight(const FirstWave& first) const {
   auto wave = last_ && leads_on(*last_) ? from(*last_, first) : std::nullopt;
   if (!wave) wave = from_likely(first);
   if (!wave || (follows_by_frequency() && !is_on_own_side(wave->omega))) return {};
-  return first.is(*wave, below) ? std::move(wave) : std::nullopt;
+  const bool is_first =
+      first.path().drive == 0 ? is_first_of_frequency(*wave, below) : first.is(*wave, below);
+  return is_first ? std::move(wave) : std::nullopt;
 }
 
 // A layer that rings may have waves at several frequencies for one load. Which one Newton's method finds must not depend on the load
@@ -77,17 +109,15 @@ std::optional<LoadedWave> Holding::from(LoadedWave wave, const FirstWave& first)
                                 : first.solve({std::move(wave), {}, {}});
 }
 
-HeldPoint Holding::scanned(const FirstWave& first, Sought sought) const {
+Holding::Scan Holding::scanned(const FirstWave& first) const {
   auto [reached, missed] = first.reached();
-  if (!reached)
-    return missed == HeldStatus::torque_out_of_reach
-               ? without_wave(missed, std::copysign(loaded_.plateau(), loaded_.torque()))
-               : without_wave(missed);
+  if (!reached) return {{}, missed};
   if (follows_by_frequency())
-    if (const auto held = by_newton(reached->near, first.path()); held && reached->encloses(*held))
-      return drive_of(*held, sought);
-  const auto wave = first.solve(std::move(*reached));
-  return wave ? drive_of(*wave, sought) : without_wave(HeldStatus::no_periodic_state);
+    if (auto held = by_newton(reached->near, first.path()); held && reached->encloses(*held))
+      return {std::move(held), HeldStatus::ok};
+  const bool singular = follows_by_frequency() && !loaded_.jumps();
+  return {first.solve(std::move(*reached)),
+          singular ? HeldStatus::not_converged : HeldStatus::no_periodic_state};
 }
 
 // At a frequency nearby the crest is as fast. Far from that of the design once more from there.

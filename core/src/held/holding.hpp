@@ -42,14 +42,21 @@ class Holding {
     double size;  ///< the larger of both, of themselves
   };
 
+  struct Scan {
+    std::optional<LoadedWave> wave;
+    HeldStatus missed;  ///< why there is none
+  };
+
   bool follows_by_frequency() const { return control_ == DriveControl::frequency; }
   FirstWave first(Sought sought) const;
   std::optional<LoadedWave> straight(const FirstWave& first) const;
   bool leads_on(const LoadedWave& last) const;
   std::optional<LoadedWave> from_likely(const FirstWave& first) const;
   std::optional<LoadedWave> from(LoadedWave wave, const FirstWave& first) const;
-  std::optional<LoadedWave> out_of_voltage() const;
-  HeldPoint scanned(const FirstWave& first, Sought sought) const;
+  std::optional<LoadedWave> near_least_voltage(std::optional<LoadedWave> least,
+                                               const FirstWave& wanted) const;
+  bool is_first_of_frequency(const LoadedWave& wave, const LoadedWave* lower) const;
+  Scan scanned(const FirstWave& first) const;
   LikelyWave likely_wave(const WavePath& path) const;
   double likely_omega(const LikelyWave& wave, const WavePath& path) const;
   Step newton_step(const LoadedWave& w, const WavePath& path) const;

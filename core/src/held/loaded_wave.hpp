@@ -43,6 +43,8 @@ struct HeldRules {
   double nearby = 0.03;
   /// Last step of the frequency, of itself, of a wave that only leads to others.
   double beside_flank = 3e-3;
+  /// Of the least voltage that a load needs: so little above it the waves of a flank turn back, and so little is rounding.
+  double near_least = 1e-3, just_enough = 2e-11;
   /// Largest step of the frequency, of itself.
   double longest_in_frequency = 0.05;
   /// A likely amplitude is right to some per cent, so that it may lie on the plateau, where no slope leads back: by what part of
