@@ -300,7 +300,8 @@ std::optional<MotorPoint> RunningBranch::outside(double speed, bool running) con
 // contact, which alone can tell whether its zones are those of the turns.
 std::optional<MotorPoint> RunningBranch::solve_in_known_zones(double speed, const CurveGuess& guess,
                                                               const SolvedPoint& near) const {
-  if (!(guess.force_slope > 0)) return {};
+  // Where zones begin the slope may be infinite.
+  if (!(guess.force_slope > 0) || !std::isfinite(guess.force_slope)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
   for (int i = 0; i < kRules.most_turns; ++i) {
