@@ -59,6 +59,7 @@ std::optional<LoadedWave> Holding::near_least_voltage(std::optional<LoadedWave> 
   if (!least || least->force.force() > waves_.drive() * (1 - kHeldRules.just_enough)) return least;
   loaded_.differentiate(*least);
   const LoadedWave& w = *least;
+  if (!(w.torque_in_amplitude > 0)) return {};
   const double follows = -w.torque_in_omega / w.torque_in_amplitude;
   const double real = w.in_omega.real + follows * w.in_amplitude.real,
                imaginary = w.in_omega.imaginary + follows * w.in_amplitude.imaginary;
