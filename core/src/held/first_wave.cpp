@@ -70,11 +70,11 @@ bool FirstWave::has_peak(const LoadedWave& low, const LoadedWave& high) const {
   return path_.slope(low) > 0 && path_.slope(high) < 0;
 }
 
-// Below the first wave that carries a smaller load at the same frequency nothing carries even that.
+// Below the first wave of the path that carries a smaller load nothing carries even that.
 bool FirstWave::is(const LoadedWave& w, const LoadedWave* lower) const {
   if (waves_.surely_rises(w.omega)) return true;
-  const bool known =
-      !path_.drive && lower && lower->omega == w.omega && lower->torque < waves_.torque();
+  const bool of_path = lower && (path_.drive || lower->omega == w.omega);
+  const bool known = of_path && lower->torque < waves_.torque();
   const LoadedWave low = known ? *lower : below_load(&w);
   return low.ok() && low.amplitude < w.amplitude && path_.slope(w) > 0 && stays_below(low, w);
 }

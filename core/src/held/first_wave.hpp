@@ -15,6 +15,7 @@ struct WavePath {
   double omega;  ///< of all of them, or where the search for that of the first begins [rad/s]
   std::optional<double> drive{};  ///< Theta u_0 on the flank; zero: R = 0 [N]
 
+  bool operator==(const WavePath&) const = default;
   /// -R on the flank; zero where the voltage is too low for any frequency.
   double flank(const LoadedWave& w) const;
   /// What R of a wave is above that of the flank [N].
@@ -36,7 +37,7 @@ class FirstWave {
 
   const WavePath& path() const { return path_; }
   /// True if no smaller amplitude carries the load, too.
-  /// @param lower  the first wave that carries another load; null if none is known
+  /// @param lower  the first wave that carries another load, on the same flank or at any frequency; null if none is known
   bool is(const LoadedWave& wave, const LoadedWave* lower) const;
 
   /// Where the torque reaches the load.

@@ -40,7 +40,7 @@ HeldPoint Holding::held(double torque, Sought sought) {
     auto wave = straight(wanted);
     if (!wave && by_frequency) wave = near_least_voltage(straight(least), wanted);
     if (wave) {
-      last_ = std::move(wave);
+      last_ = std::move(wave), last_path_ = wanted.path();
       return drive_of(*last_, sought);
     }
   }
@@ -84,19 +84,14 @@ bool Holding::is_first_of_frequency(const LoadedWave& wave, const LoadedWave* lo
 // By Newton's method from the wave of the torque before, or from a likely one. Nothing where that does not lead straight to the first
 // wave that carries the load, on the flank of the stator's own resonance.
 std::optional<LoadedWave> Holding::straight(const FirstWave& first) const {
-  const LoadedWave* const below = last_ ? &*last_ : nullptr;
-  auto wave = last_ && leads_on(*last_) ? from(*last_, first) : std::nullopt;
+  const bool same_path = last_ && last_path_ == first.path();
+  const LoadedWave* const below = same_path ? &*last_ : nullptr;
+  auto wave = last_ ? from(*last_, first) : std::nullopt;
   if (!wave) wave = from_likely(first);
   if (!wave || (follows_by_frequency() && !is_on_own_side(wave->omega))) return {};
   const bool is_first =
       first.path().drive == 0 ? is_first_of_frequency(*wave, below) : first.is(*wave, below);
   return is_first ? std::move(wave) : std::nullopt;
-}
-
-// A layer that rings may have waves at several frequencies for one load. Which one Newton's method finds must not depend on the load
-// before.
-bool Holding::leads_on(const LoadedWave& last) const {
-  return !follows_by_frequency() || !loaded_.rings(last.omega);
 }
 
 std::optional<LoadedWave> Holding::from_likely(const FirstWave& first) const {

@@ -50,7 +50,6 @@ class Holding {
   bool follows_by_frequency() const { return control_ == DriveControl::frequency; }
   FirstWave first(Sought sought) const;
   std::optional<LoadedWave> straight(const FirstWave& first) const;
-  bool leads_on(const LoadedWave& last) const;
   std::optional<LoadedWave> from_likely(const FirstWave& first) const;
   std::optional<LoadedWave> from(LoadedWave wave, const FirstWave& first) const;
   std::optional<LoadedWave> near_least_voltage(std::optional<LoadedWave> least,
@@ -72,6 +71,7 @@ class Holding {
   double speed_;
   DriveControl control_;
   std::optional<LoadedWave> last_;  // the first wave that carries the torque before
+  WavePath last_path_{0};           // among those of which it is that
 };
 
 /// The same for a design, whose number of slices may follow from the wave.
