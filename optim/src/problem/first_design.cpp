@@ -6,7 +6,7 @@
 namespace twum::inline v0_1::optim {
 
 std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling) {
-  constexpr std::size_t kTries = 64;
+  constexpr std::size_t kTries = 1024;  // find 1 design in 200 all but surely
   std::vector<std::vector<double>> tries{start_design(session.problem())};
   for (std::size_t i = 0; i < tries.size(); ++i) {
     const Evaluation& e = session.at(tries[i], true);

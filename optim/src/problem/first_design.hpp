@@ -14,7 +14,7 @@ struct FirstDesign {
   Evaluation evaluation;
 };
 
-/// The start design or, if it cannot be evaluated, the first of 64 low-discrepancy points that can. Nothing if none
+/// The start design or, if it cannot be evaluated, the first of 1,024 low-discrepancy points that can. Nothing if none
 /// can. @throws Stop
 std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling);
 
